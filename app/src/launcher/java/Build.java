@@ -45,7 +45,7 @@ final class Build {
         System.exit(result);
     }
 
-    /** Builds unless the program is newer than all sources. A file lock lets one process build while others wait. */
+    /** Builds the program unless it is newer than all sources. A file lock lets one process build while others wait. */
     private int ifNeeded() throws Exception {
         if (isFresh()) {
             return 0;
@@ -69,7 +69,7 @@ final class Build {
         }
     }
 
-    /** Returns the newest program file. Windows locks a running program, so that each build has its own name there. */
+    /** Returns the newest program file. On Windows, which locks a running program, each build has its own file name. */
     private Optional<Path> program() throws IOException {
         if (!Files.isDirectory(launch)) {
             return Optional.empty();
@@ -145,7 +145,7 @@ final class Build {
         System.err.println(System.lineSeparator() + "The build was stopped. The next start repeats it.");
     }
 
-    /** Progress line that is updated during the build; printed once without a terminal. */
+    /** Prints a progress line and updates it during the build; without a terminal, prints it only once. */
     private void showProgress(Process maven, String title, boolean terminal) throws Exception {
         for (int seconds = 1; !maven.waitFor(1, TimeUnit.SECONDS); seconds++) {
             if (terminal) {
@@ -193,7 +193,7 @@ final class Build {
         err.println("The full output is in " + log);
     }
 
-    /** Installs the new program. A running program keeps its old file, since the rename is atomic. */
+    /** Installs the new program. A running program keeps its old file, because the rename is atomic. */
     private void keepProgram(Instant started) throws IOException {
         String name = WINDOWS ? "robonewbie-" + started.getEpochSecond() + ".jar" : "robonewbie.jar";
         Path copy = launch.resolve(name + ".new");

@@ -29,12 +29,12 @@ public final class Main {
     }
 
     /**
-     * Deletes the temporary folder with the launcher's link to this program. The launcher creates it if the program's
-     * path cannot be part of a class path.
+     * Deletes the temporary folder that contains the launcher's link to this program. The launcher creates it if the
+     * program's path cannot be part of a class path.
      */
     private static void deleteOnExit(String link) {
         File folder = new File(link);
-        folder.deleteOnExit(); // deletion runs in reverse order
+        folder.deleteOnExit(); // files are deleted in reverse order of registration
         new File(folder, "manifest").deleteOnExit();
         new File(folder, "robonewbie.jar").deleteOnExit();
     }

@@ -5,8 +5,8 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 
 /**
- * Logging configuration that prints only warnings and errors of libraries, one line each. {@link java.util.logging.LogManager}
- * instantiates it with the first logger.
+ * Logging configuration that prints only the warnings and errors of libraries, each on one line. {@link
+ * java.util.logging.LogManager} instantiates it when the first logger is created.
  */
 public final class QuietLogging {
 

@@ -8,10 +8,10 @@ import java.util.Optional;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Class-data archive that halves the start time (application class-data sharing, JEP 310 and JEP 350). The launcher
- * passes its path and uses the file if it exists. The archive is created in the background when the program exits for
- * the first time, so that its creation takes no processor time from a robot; the JVM rejects an archive of another
- * program or JVM.
+ * Archive for application class-data sharing (JEP 310 and JEP 350) that halves the start time. The launcher passes its
+ * path and uses the file if it exists. The archive is created in the background when the program exits for the first
+ * time, so that its creation takes no processor time from a robot; the JVM rejects an archive that was created for
+ * another program or by another JVM.
  */
 final class StartArchive {
 
@@ -26,7 +26,9 @@ final class StartArchive {
         this.program = program;
     }
 
-    /** The archive that the launcher requests; empty if there is none, or if the program is not a single jar. */
+    /**
+     * Returns the archive that the launcher requests; empty if it requests none or if the program is not a single jar.
+     */
     static Optional<StartArchive> wanted() {
         return Optional.ofNullable(System.getProperty(PROPERTY))
                 .flatMap(file -> ClassPath.ownJar().map(program -> new StartArchive(Path.of(file), program)));
@@ -39,7 +41,7 @@ final class StartArchive {
         }
     }
 
-    /** The JVM rejects an archive whose jar has been changed or moved since its creation. */
+    /** Returns whether the archive is valid. The JVM rejects an archive whose jar has since been changed or moved. */
     private boolean isValid() throws IOException {
         Path note = noteOf(file);
         return Files.isRegularFile(file)
@@ -48,7 +50,7 @@ final class StartArchive {
                 && Files.readString(note).equals(program.toString());
     }
 
-    /** File beside the archive with the path of the jar that it was created from. */
+    /** Returns the file beside the archive that contains the path of the jar that it was created from. */
     static Path noteOf(Path archive) {
         return archive.resolveSibling(archive.getFileName() + ".txt");
     }

@@ -60,7 +60,7 @@ public final class Bench {
     /**
      * Runs a measurement.
      *
-     * @param arguments the subject and its options
+     * @param arguments name of the measurement, followed by its options
      */
     public static void main(String... arguments) {
         System.exit(commandLine().execute(arguments));

@@ -10,7 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Load test of a server with whole matches. */
+/** Load test of a server with complete matches. */
 @Command(
         name = "server",
         description = "Let many robots play whole matches over TCP; does the server keep up with real time?",

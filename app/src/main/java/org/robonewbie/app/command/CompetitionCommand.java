@@ -183,7 +183,7 @@ final class CompetitionCommand implements Callable<Integer> {
         }
     }
 
-    /** Runs the contest; the exit code tells whether all teams took part. */
+    /** Runs the contest; the exit code indicates whether all teams took part. */
     private static int hold(Competition competition, Path results) throws IOException, InterruptedException {
         print(competition.hold());
         System.out.println(place(results));

@@ -18,7 +18,7 @@ final class ExerciseContests {
     private ExerciseContests() {}
 
     /**
-     * Creates a contest. Programs receive a start position as in a match, which the exercise ignores.
+     * Creates a contest. Programs receive a start position, as in a match, but the exercise ignores it.
      *
      * @param exercise the exercise
      * @param rounds the number of trials of each team, with consecutive seeds

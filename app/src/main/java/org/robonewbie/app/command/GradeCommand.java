@@ -293,7 +293,7 @@ final class GradeCommand implements Callable<Integer> {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** Returns a tick and the best points, or blanks of the same width before the first try. */
+    /** Returns a tick and the best points, or spaces of the same width before the first attempt. */
     private static String points(ExerciseProgress state) {
         if (state.tries() == 0) {
             return "      ";

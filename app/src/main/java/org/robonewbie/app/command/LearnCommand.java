@@ -22,7 +22,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Command that learns a policy for a task with an evolution strategy, or evaluates one. */
+/** Command that trains a policy for a task with an evolution strategy, or evaluates one. */
 @Command(
         name = "learn",
         description = {
@@ -149,7 +149,8 @@ final class LearnCommand implements Callable<Integer> {
     }
 
     /**
-     * The name of a task's shipped policy: {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code WalkGait}.
+     * Returns the name of a task's shipped policy: {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code
+     * WalkGait}.
      */
     private static String shippedName(String task) {
         return task.replaceFirst("^Quick(?=[A-Z])|Gait$", "")

@@ -108,7 +108,7 @@ final class NewCommand implements Callable<Integer> {
         return version + "-built-" + Long.toHexString(sum.getValue());
     }
 
-    /** The jar of this program: preferably the one of a local build, which has the sources beside it. */
+    /** Returns the jar of this program: preferably that of a local build, which has the sources beside it. */
     private static Path ownJar() {
         Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
         return Files.isRegularFile(built) ? built : ClassPath.ownJar().orElse(built);

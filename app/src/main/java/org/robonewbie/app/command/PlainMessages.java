@@ -20,7 +20,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Error reporter: prints one or two plain sentences on what failed and what to write instead. */
+/** Error reporter: prints one or two plain sentences about what failed and what to write instead. */
 final class PlainMessages implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
     @Override

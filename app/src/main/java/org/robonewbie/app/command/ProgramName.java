@@ -26,7 +26,7 @@ public record ProgramName(String text) {
                 File.separatorChar);
     }
 
-    /** Windows also searches the current folder, so the bare name works there. */
+    /** Returns the name for a shell. Windows also searches the current folder, so the bare name works there. */
     static ProgramName of(Optional<Path> home, Path folder, String searchPath, char separator) {
         boolean known = Arrays.stream(searchPath.split(File.pathSeparator))
                 .filter(entry -> !entry.isEmpty())

@@ -190,7 +190,7 @@ public final class RoboNewbieCommand {
                 : arguments;
     }
 
-    /** Prepends the demo to options without a command, as in {@code robonewbie --seed 3}. */
+    /** Prepends the demo command to options without a command, as in {@code robonewbie --seed 3}. */
     private static String[] withDefaultCommand(String... arguments) {
         boolean isDemo = arguments.length == 0 || (arguments[0].startsWith("-") && !OWN_OPTIONS.contains(arguments[0]));
         return isDemo
@@ -214,7 +214,7 @@ public final class RoboNewbieCommand {
                 + ", Java " + Runtime.version();
     }
 
-    /** Commands of one section of the help text. */
+    /** Commands in one section of the help text. */
     private record Group(String title, List<Class<?>> commands) {}
 
     /** Root command for a single subcommand. */

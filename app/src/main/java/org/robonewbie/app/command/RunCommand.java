@@ -14,7 +14,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Unmatched;
 
-/** {@code robonewbie run}: runs one agent, which is an example, a class of the user or a Java file. */
+/** {@code robonewbie run}: runs one agent, which is an example, one of the user's classes or a Java file. */
 @Command(
         name = RunCommand.NAME,
         description = "Run an agent. If no simulator is running, this starts one and opens the studio in the browser.",
@@ -80,7 +80,7 @@ final class RunCommand implements Callable<Integer> {
         return program.run(options);
     }
 
-    /** Runs the program without output before the real run, which will show any errors. */
+    /** Runs the program without output before the real run, which then shows any errors. */
     private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));

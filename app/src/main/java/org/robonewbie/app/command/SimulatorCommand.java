@@ -195,7 +195,7 @@ final class SimulatorCommand implements Callable<Integer> {
     }
 
     /**
-     * Under another process name, ignores unknown options as rcssserver3d does, because teams' scripts pass some;
+     * Ignores unknown options under another process name, as rcssserver3d does, because teams' scripts may pass some;
      * otherwise rejects them.
      */
     private void ignoreUnknown(Console console) {
@@ -305,7 +305,7 @@ final class SimulatorCommand implements Callable<Integer> {
         return parameters;
     }
 
-    /** Table of all parameters for the help. */
+    /** Returns a table of all parameters for the help text. */
     static String listOfParameters() {
         return String.format("%-30s %8s %8s%n", "Parameter for --set", "league", "beginner")
                 + String.join(System.lineSeparator(), SoccerParameters.describe());

@@ -7,7 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** Checks whether a TCP port is free, and otherwise guesses what is listening on it. */
+/** Checks whether a TCP port is free; if it is not, guesses what is listening on it. */
 final class PortCheck {
 
     private static final int MILLISECONDS = 500;
@@ -27,7 +27,10 @@ final class PortCheck {
         }
     }
 
-    /** A soccer server sends its scene to monitors immediately, but waits for agents to speak first. */
+    /**
+     * Guesses what is listening: a soccer server sends its scene to monitors immediately, but waits for agents to speak
+     * first.
+     */
     private static String listenerAt(int port) {
         try (Socket socket = new Socket()) {
             socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), MILLISECONDS);

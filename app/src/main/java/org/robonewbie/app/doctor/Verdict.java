@@ -15,7 +15,7 @@ public enum Verdict {
         this.mark = mark;
     }
 
-    /** {@return short mark at the start of the line} */
+    /** {@return the short mark at the start of the line} */
     public String mark() {
         return mark;
     }

@@ -18,8 +18,8 @@ import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
 /**
- * Studio that shows a running contest: a wall of all running trials, and the table. Each trial also has its own studio, in which it is
- * shown full size.
+ * Studio that shows a running contest: a wall with all running trials, and the league table. Each trial also has its
+ * own studio, in which it is shown full size.
  */
 public final class ContestStudio implements Spectators, AutoCloseable {
 
@@ -92,7 +92,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         };
     }
 
-    /** Waits, for a limited time, until a page is open before the first trial, because some trials take only seconds. */
+    /** Before the first trial, waits a limited time until a page is open, because some trials take only seconds. */
     private synchronized void awaitEyes() throws IOException {
         try {
             if (!hasWaited) {

@@ -79,7 +79,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 motionPlace(file));
     }
 
-    /** Opens a program of this project, or one in another folder together with its siblings. */
+    /** Opens a program of this project, or one in another folder together with the other files in that folder. */
     private static OpenedFile program(Path file) {
         Path here = Path.of("").toAbsolutePath();
         Path folder = file.startsWith(here)

@@ -23,7 +23,7 @@ public final class SearchConsole implements OptimisationListener {
      *
      * @param out the output
      * @param unit unit of the values
-     * @param file file of the best result
+     * @param file file for the best result
      */
     public SearchConsole(PrintStream out, String unit, Path file) {
         this.out = out;

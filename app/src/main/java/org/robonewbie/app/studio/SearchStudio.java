@@ -55,7 +55,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
      * @param objective the measure
      * @param plan size of the search
      * @param optimisation the search
-     * @param file file of the best result
+     * @param file file for the best result
      * @return the open studio
      */
     public static SearchStudio open(

@@ -1,6 +1,6 @@
 package org.robonewbie.simulator;
 
-/** The output for the simulator's messages to the user. */
+/** Output for the simulator's messages to the user. */
 @FunctionalInterface
 public interface Console {
 

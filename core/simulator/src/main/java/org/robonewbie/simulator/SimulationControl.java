@@ -87,12 +87,12 @@ public interface SimulationControl {
     }
 
     /**
-     * Continues from a saved state between two cycles, as soon as every agent has answered. The cycle counter and the recording
-     * continue. In-process agents that offer their state are restored too; other agents keep their memory.
+     * Continues from a saved state between two cycles, as soon as every agent has answered. The cycle counter and the
+     * recording continue. In-process agents that offer their state are restored too; other agents keep their memory.
      *
      * @param state the state
-     * @param receiver receives the number of restored agents; empty if the state does not fit this world, which then remains
-     *     unchanged, or an agent does not answer in time
+     * @param receiver receives the number of restored agents; empty if the state is incompatible with this world, which
+     *     then remains unchanged, or if an agent does not answer in time
      */
     default void restore(WorldState state, Consumer<OptionalInt> receiver) {
         receiver.accept(OptionalInt.empty());

@@ -13,8 +13,8 @@ import org.robonewbie.simulator.landscape.Thing;
  * @param cycle number of 20 ms cycles since the start
  * @param gameTime seconds played, as in the game state perceptor
  * @param playMode the play mode
- * @param teamLeft name of the left team, empty before it joined
- * @param teamRight name of the right team, empty before it joined
+ * @param teamLeft name of the left team, empty before it joins
+ * @param teamRight name of the right team, empty before it joins
  * @param scoreLeft goals of the left team
  * @param scoreRight goals of the right team
  * @param half 1 or 2

@@ -68,8 +68,8 @@ public record ClassPath(List<Path> places) {
     /**
      * Appends entries.
      *
-     * @param more folders and jars
-     * @return the longer class path
+     * @param more folders and jars to append
+     * @return the extended class path
      */
     public ClassPath with(List<Path> more) {
         return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
@@ -98,7 +98,7 @@ public record ClassPath(List<Path> places) {
      * Returns the argument for the option {@code -cp}.
      *
      * @return the argument
-     * @throws CalledWronglyException if the path of the temporary folder cannot be expressed in this option either
+     * @throws CalledWronglyException if the option cannot express the path of the temporary folder either
      */
     public String option() {
         return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));

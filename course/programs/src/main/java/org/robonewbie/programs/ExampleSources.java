@@ -32,7 +32,7 @@ public final class ExampleSources {
     /** Looks up the examples on the class path. */
     public ExampleSources() {}
 
-    /** {@return names of the examples with source code} */
+    /** {@return the names of the examples with source code} */
     public List<String> names() {
         return classNames.keySet().stream()
                 .filter(name -> text(name).isPresent())

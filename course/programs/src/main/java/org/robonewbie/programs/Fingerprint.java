@@ -19,7 +19,7 @@ public final class Fingerprint {
 
     private final MessageDigest digest;
 
-    /** Creates the checksum of no data. */
+    /** Creates a checksum that covers no data yet. */
     public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");
@@ -29,9 +29,9 @@ public final class Fingerprint {
     }
 
     /**
-     * Adds a text.
+     * Adds a string.
      *
-     * @param text the text
+     * @param text the string
      * @return this
      */
     public Fingerprint add(String text) {
@@ -53,7 +53,7 @@ public final class Fingerprint {
     }
 
     /**
-     * Adds names and contents of all files.
+     * Adds the names and contents of all files in a submission.
      *
      * @param folder the submission
      * @return this
@@ -82,7 +82,7 @@ public final class Fingerprint {
         return HexFormat.of().formatHex(digest.digest());
     }
 
-    /** {@return the checksum of everything that has been added; call this only once} */
+    /** {@return the checksum of everything that has been added; call only once} */
     public String text() {
         return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
     }

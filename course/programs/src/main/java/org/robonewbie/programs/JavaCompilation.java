@@ -15,9 +15,9 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
 
 /**
- * Compilation of Java files in memory, against this program and a class path. No code of the files runs.
+ * Compilation of Java files in memory, against this program and a class path. None of their code runs.
  *
- * @param name how messages refer to the files
+ * @param name name of the files in messages
  * @param sourcePath folders in which the compiler looks for further sources
  * @param classPath folders and jars
  */
@@ -30,7 +30,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
     private static final List<String> OPTIONS =
             List.of("-g", "-XDshould-stop.ifError=FLOW", "-parameters", "-proc:none", "-implicit:class");
 
-    /** Work to be done with a compiler. */
+    /** Task that uses a compiler. */
     interface Work<T> {
         T of(JavacTask task, CompiledClasses classes) throws IOException;
     }

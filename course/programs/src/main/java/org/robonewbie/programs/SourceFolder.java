@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.SubmittedFolder;
 
 /**
- * Folder with Java sources, either a Maven project or just files. The sources are compiled against RoboNewbie and the jars in
- * the subfolder {@code lib}. Compilation runs none of their code and reads no sources outside the folder.
+ * Folder with Java sources: either a Maven project or plain files. The sources are compiled against RoboNewbie and the
+ * jars in the subfolder {@code lib}. The compiler runs none of their code and reads no sources outside the folder.
  *
  * @param folder the folder
  * @param deep whether subfolders are included, as in a project
@@ -47,7 +47,7 @@ public record SourceFolder(Path folder, boolean deep) {
     /**
      * Returns the class path of the programs.
      *
-     * @param classes folder of the class files
+     * @param classes folder that contains the class files
      * @return folders and jars
      * @throws IOException if the folder cannot be read
      */

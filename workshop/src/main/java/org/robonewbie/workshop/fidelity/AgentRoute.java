@@ -2,10 +2,10 @@ package org.robonewbie.workshop.fidelity;
 
 /** Transport between a recording and the replaying robot. */
 public enum AgentRoute {
-    /** Direct access to the world, without server and messages. */
+    /** Direct access to the world, without a server or messages. */
     NONE,
-    /** A whole server with its rules, and an agent in the same process. */
+    /** A full server with its rules, and an agent in the same process. */
     IN_PROCESS,
-    /** A whole server with its rules, and an agent connected over TCP. */
+    /** A full server with its rules, and an agent connected over TCP. */
     TCP
 }

@@ -35,7 +35,10 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /** Records one case; empty if monitor messages were delayed, so that the first cycle is unknown. */
+    /**
+     * Records one case. Returns an empty result if monitor messages were delayed and the first cycle is therefore
+     * unknown.
+     */
     Optional<List<String>> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);

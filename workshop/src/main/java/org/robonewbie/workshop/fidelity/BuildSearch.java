@@ -15,8 +15,8 @@ final class BuildSearch {
     private BuildSearch() {}
 
     /**
-     * Returns the possible robot types. Types 0 and 2 stand alike and differ in their motors only, so that only a replay
-     * distinguishes them.
+     * Returns the possible robot types. Types 0 and 2 stand identically and differ only in their motors, so only a
+     * replay can distinguish them.
      *
      * @param recording the recording
      * @return at least one type, the most likely first

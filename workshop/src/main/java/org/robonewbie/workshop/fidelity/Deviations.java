@@ -16,14 +16,14 @@ final class Deviations {
         values[count++] = value;
     }
 
-    /** Returns the median; empty without values. */
+    /** Returns the median; empty if there are no values. */
     OptionalDouble median() {
         double[] sorted = Arrays.copyOf(values, count);
         Arrays.sort(sorted);
         return count == 0 ? OptionalDouble.empty() : OptionalDouble.of(sorted[count / 2]);
     }
 
-    /** Returns the maximum; empty without values, NaN if any value is NaN. */
+    /** Returns the maximum; empty if there are no values, NaN if any value is NaN. */
     OptionalDouble max() {
         return Arrays.stream(values, 0, count).max();
     }

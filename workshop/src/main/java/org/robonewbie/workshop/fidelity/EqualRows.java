@@ -2,7 +2,7 @@ package org.robonewbie.workshop.fidelity;
 
 import java.util.OptionalDouble;
 
-/** Counts the rows in which recorded and simulated sensor values are equal as printed. */
+/** Counts the rows in which recorded and simulated sensor values are equal within the printed precision. */
 final class EqualRows {
 
     private int rows;

@@ -16,11 +16,11 @@ import java.util.stream.Stream;
 import java.util.zip.ZipException;
 
 /**
- * Replays recordings of a real rcssserver3d in the simulated world, without noise and server, and measures the deviation.
+ * Replays recordings of a real rcssserver3d in the simulated world, without noise, and measures the deviation.
  *
- * <p>A recording is a file of JSON lines, plain or compressed: a header, then one line per cycle of 20 ms with {@code t},
- * {@code hj}, {@code acc}, {@code gyr}, {@code frp}, {@code torso} and {@code sent}, or with {@code case} and {@code ball}.
- * Commands on one line take effect on the next.
+ * <p>A recording is a file of JSON lines, plain or compressed: a header, then one line per cycle of 20 ms with {@code
+ * t}, {@code hj}, {@code acc}, {@code gyr}, {@code frp}, {@code torso} and {@code sent}, or with {@code case} and
+ * {@code ball}. Commands on one line take effect on the next.
  *
  * <pre>{@code
  * System.out.print(FidelityBench.run(AgentRoute.NONE).toTable());
@@ -36,7 +36,7 @@ public final class FidelityBench {
     /**
      * Replays the shipped recordings.
      *
-     * @param route transport of commands and measurements
+     * @param route transport for commands and measurements
      * @return the deviation from each recording
      * @throws IOException if a recording cannot be read
      */
@@ -51,8 +51,8 @@ public final class FidelityBench {
     /**
      * Replays all recordings in a directory. Files that cannot be parsed are listed in the report.
      *
-     * @param directory directory of the recordings; files that do not end in .jsonl or .jsonl.gz are ignored
-     * @param route transport of commands and measurements
+     * @param directory directory of the recordings; files whose names do not end in .jsonl or .jsonl.gz are ignored
+     * @param route transport for commands and measurements
      * @return the deviation from each recording
      * @throws IOException if there is no recording or the directory cannot be read; the message names the cause
      */

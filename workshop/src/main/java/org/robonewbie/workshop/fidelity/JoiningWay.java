@@ -11,14 +11,15 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.soccer.StartPositions;
 
 /**
- * Sequence that brought a robot to the start of its recording: creation in the air, joining a team some cycles later, a beam
- * after that, and later the first row. The robot lands on the way, or sinks into the ground if its legs are long. The last
- * digits of its stance depend on this sequence, and with them the end of a fall.
+ * Sequence of events before the recording of a robot: it was created in the air, joined a team several cycles later,
+ * and was then beamed; the first row was recorded some time after that. Meanwhile, the robot landed or, if its legs are
+ * long, sank into the ground. The last digits of its stance depend on this sequence, and so does the outcome of a fall.
  *
  * @param cyclesToInit cycles between creating the robot and {@code init}, at least 1
  * @param place position of the robot when it joined
  * @param cyclesToBeam cycles between the commands {@code init} and {@code beam}, at least 1
- * @param cyclesToFirstRow cycles between {@code beam} and the first row; 0 if unknown, then the robot comes to rest first
+ * @param cyclesToFirstRow cycles between {@code beam} and the first row; 0 if unknown, in which case the robot first
+ *     comes to rest
  */
 record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesToFirstRow) {
 
@@ -54,7 +55,9 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
         return List.of(SETTLED.at(place), IMMEDIATE.at(place));
     }
 
-    /** A robot is beamed into its own half. */
+    /**
+     * Returns whether the robot plays in the right half, judging by the first row: a robot is beamed into its own half.
+     */
     private static boolean startsInTheRightHalf(Recording recording) {
         return recording.runs().get(0).rows().get(0).torso().stream()
                 .anyMatch(torso -> torso.position().x() > 0);
@@ -69,12 +72,15 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
         return place.x() > 0 ? TeamSide.RIGHT : TeamSide.LEFT;
     }
 
-    /** {@return the rotation about the vertical of a robot that has just joined and faces the other half} */
+    /** {@return the rotation about the vertical axis of a robot that has just joined and faces the other half} */
     double yawDegrees() {
         return side() == TeamSide.LEFT ? -90 : 90;
     }
 
-    /** {@return the number of start positions that the team had used before; 0 if the position is none of them} */
+    /**
+     * {@return the number of start positions that the team had used before; 0 if the robot's position is not a start
+     * position}
+     */
     int placesBefore() {
         StartPositions places = new StartPositions(side(), SoccerParameters.league());
         for (int i = 0; i < MAX_PLACES; i++) {
@@ -115,7 +121,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
                 : FIRST_PLACE;
     }
 
-    /** Returns the exact start position on the league pitch for a printed one. */
+    /** Returns the exact start position on the league pitch that matches a rounded, printed one. */
     private static Vector3 placeNear(Vector3 printed) {
         for (TeamSide side : TeamSide.values()) {
             StartPositions places = new StartPositions(side, SoccerParameters.league());

@@ -18,8 +18,8 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Background thread that receives monitor messages and stores the positions of the ball and of the torso of one robot, message
- * by message.
+ * Background thread that receives monitor messages and stores the ball position and the torso pose of one robot for
+ * each message.
  */
 final class MonitorFeed implements AutoCloseable {
 
@@ -65,7 +65,10 @@ final class MonitorFeed implements AutoCloseable {
         watched = Optional.of(player);
     }
 
-    /** Waits until the messages stop changing, which means that the server waits. The server may repeat the same message meanwhile. */
+    /**
+     * Waits until the messages stop changing, which means that the server is waiting. While it waits, the server may
+     * repeat its last message.
+     */
     void awaitQuiet() throws IOException {
         long start = System.nanoTime();
         while (System.nanoTime() - Math.max(start, lastChange) < QUIET_NANOSECONDS) {
@@ -90,7 +93,7 @@ final class MonitorFeed implements AutoCloseable {
         return count();
     }
 
-    /** Whether more messages arrive than expected. */
+    /** Returns whether more messages than expected arrive. */
     boolean hasMoreThan(int messages) {
         return await(messages + 1, LATE_NANOSECONDS);
     }
@@ -116,12 +119,12 @@ final class MonitorFeed implements AutoCloseable {
         return sights.size();
     }
 
-    /** Returns the torso pose of a message by its index from 0. */
+    /** Returns the torso pose in a message, by the index of the message from 0. */
     synchronized Optional<BodyPose> torso(int index) {
         return index >= 0 && index < sights.size() ? sights.get(index).torso() : Optional.empty();
     }
 
-    /** Returns the torso pose of the latest full scene. */
+    /** Returns the torso pose in the latest full scene. */
     synchronized Optional<BodyPose> lastTorso() {
         for (int i = sights.size() - 1; i >= 0; i--) {
             if (sights.get(i).torso().isPresent()) {
@@ -149,11 +152,14 @@ final class MonitorFeed implements AutoCloseable {
                 add(isRepeated, sight());
             }
         } catch (IOException e) {
-            // The session fails on the agent's connection, too.
+            // The agent's connection fails as well, which ends the session.
         }
     }
 
-    /** Only full scenes contain exact numbers. */
+    /**
+     * Returns the content of the latest message. Includes positions only from a full scene, because partial ones are
+     * inexact.
+     */
     private Sight sight() {
         MonitoredWorld world = link.world();
         boolean exact = world.isCurrent() && lastText.contains(FULL_SCENE);

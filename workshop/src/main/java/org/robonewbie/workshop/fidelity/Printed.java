@@ -5,7 +5,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
 
-/** Equality of numbers that SimSpark prints with two decimals: at most one unit of the last digit apart. */
+/** Equality of numbers that SimSpark prints with two decimals: they differ by at most one unit in the last digit. */
 final class Printed {
 
     private static final double DIGITS = 100;

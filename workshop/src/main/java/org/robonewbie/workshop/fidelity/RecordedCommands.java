@@ -15,7 +15,7 @@ import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Parser of the commands of a recorded client. */
+/** Parser for the commands of a recorded client. */
 final class RecordedCommands {
 
     /** Height of the torso after a beam, in metres. */
@@ -37,7 +37,7 @@ final class RecordedCommands {
      * Parses one answer.
      *
      * @param sent text of the answer
-     * @param nextTorso torso pose one row later, since a server with noise changes the target of a beam
+     * @param nextTorso torso pose in the next row, which gives the real target of a beam on a server with noise
      * @return hinge speeds and beams; other commands do not move a robot
      */
     List<EffectorCommand> read(String sent, Optional<BodyPose> nextTorso) {

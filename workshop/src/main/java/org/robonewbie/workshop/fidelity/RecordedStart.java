@@ -10,8 +10,9 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Moves a new robot into the initial state of a recording by the same sequence as the original: placed at the first start
- * position of a team, settled, beamed, and settled again; or lifted, then either suspended asleep or falling freely.
+ * Brings a new robot to the initial state of a recording through the same steps as the original: placed at the first
+ * start position of a team, settled, beamed, and settled again; or lifted, then either held in the air with its bodies
+ * asleep or left to fall freely.
  */
 final class RecordedStart {
 
@@ -63,7 +64,7 @@ final class RecordedStart {
         stage.placeBall(place.z() < radius ? new Vector3(place.x(), place.y(), radius) : place);
     }
 
-    /** Corrects the position of a resting robot, since a server with noise changes the target of a beam. */
+    /** Corrects the position of a resting robot, because a server with noise changes the target of a beam. */
     private void shiftTo(Vector3 place) {
         Vector3 torso = robot.torso().position();
         if (robot.isAsleep() && Math.hypot(place.x() - torso.x(), place.y() - torso.y()) > PRINTED_METRES) {
@@ -71,7 +72,9 @@ final class RecordedStart {
         }
     }
 
-    /** Whether a position is a start position: new players appear in a row along the side line of their half. */
+    /**
+     * Returns whether a position is a start position: new players appear in a row along the side line of their half.
+     */
     private boolean isJoiningPosition(Vector3 place) {
         double index = (way.place().y() - place.y()) / JOINING_SPACING;
         return Math.abs(place.x()) == Math.abs(way.place().x())
@@ -79,7 +82,10 @@ final class RecordedStart {
                 && Math.abs(index - Math.rint(index)) < 1e-6;
     }
 
-    /** Steps until height and acceleration equal the first row. If the robot rests there, steps until it sleeps. */
+    /**
+     * Steps until height and acceleration equal those in the first row. If the robot is at rest in that row, steps on
+     * until it sleeps.
+     */
     private void land(double height) throws IOException {
         Optional<Vector3> acceleration = rows.get(0).acceleration();
         for (int i = 0; i < STEPS_TO_LAND_AND_SLEEP; i++) {
@@ -98,7 +104,9 @@ final class RecordedStart {
         return Printed.equal(robot.acceleration(), acceleration);
     }
 
-    /** Lifts the robot. The displacement between the first two rows determines how many steps it has been falling. */
+    /**
+     * Lifts the robot. The displacement between the first two rows determines for how many steps it has been falling.
+     */
     private void lift(Vector3 place) throws IOException {
         double dt = Cycle.SECONDS;
         double speed = rows.size() < 2 ? 0 : (place.z() - heightInSecondRow(place)) / dt;

@@ -12,13 +12,14 @@ import java.util.OptionalDouble;
  * @param torsoMaxMetres maximum error of the torso position
  * @param torsoMaxDegrees maximum error of the torso orientation
  * @param ballMaxMetres maximum error of the ball position
- * @param accRowsEqual share of rows, 0 to 1, whose accelerometer values are equal within one unit of the last printed digit
+ * @param accRowsEqual share of rows, 0 to 1, whose accelerometer values are equal within one unit of the last printed
+ *     digit
  * @param gyrRowsEqual the same for the gyro
  * @param frpRowsEqual the same for all foot plates together
- * @param restMetres error of the torso or ball position in the last row, maximum of all runs
- * @param restDegrees error of the torso orientation in the last row, maximum of all runs
- * @param firstDivergenceSeconds time from the start of a run to its first row beyond the tolerances, minimum of all runs; empty
- *     if there is none
+ * @param restMetres error of the torso or ball position in the last row, maximum over all runs
+ * @param restDegrees error of the torso orientation in the last row, maximum over all runs
+ * @param firstDivergenceSeconds time from the start of a run to its first row beyond the tolerances, minimum over all
+ *     runs; empty if there is none
  */
 public record RecordingFidelity(
         String name,

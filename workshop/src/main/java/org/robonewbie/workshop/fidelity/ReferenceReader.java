@@ -21,9 +21,9 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Parser of recordings: JSON lines, plain or compressed with gzip. The first line is a header, every other line one cycle. A
- * new run starts where joint, speed and place, or the case, change, or where time jumps back. Null fields count as missing;
- * every field except {@code t} may be missing.
+ * Parser of recordings: JSON lines, plain or compressed with gzip. The first line is a header; every other line
+ * describes one cycle. A new run starts where {@code case} changes, where {@code joint}, {@code speed} or {@code place}
+ * changes, or where time jumps back. Null fields count as missing; every field except {@code t} may be missing.
  */
 final class ReferenceReader {
 
@@ -52,8 +52,8 @@ final class ReferenceReader {
      *
      * @param fileName file name, which determines whether the content is compressed
      * @param content content of the file
-     * @return the recording, possibly without runs
-     * @throws IOException if it cannot be parsed; the message contains file and line
+     * @return the recording, with at least one run
+     * @throws IOException if it cannot be parsed or contains no positions; the message names the file
      */
     static Recording read(String fileName, InputStream content) throws IOException {
         ReferenceReader reader = new ReferenceReader(fileName);
@@ -79,7 +79,7 @@ final class ReferenceReader {
         return fileName.substring(0, fileName.lastIndexOf(ENDING));
     }
 
-    /** Ends the current run. Rows before the first one with a torso or ball have no position and are dropped. */
+    /** Ends the current run. Drops the rows before the first one that contains a torso or ball position. */
     private void endRun() {
         List<RecordedRow> placed = rows.stream()
                 .dropWhile(row -> row.torso().isEmpty() && row.ball().isEmpty())

@@ -12,11 +12,11 @@ import java.util.zip.GZIPOutputStream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * Records robots and balls on a running server, a real rcssserver3d or this simulator, in the format that {@link FidelityBench}
- * replays.
+ * Records robots and balls on a running server, a real rcssserver3d or this simulator, in the format that {@link
+ * FidelityBench} replays.
  *
- * <p>The server must run in sync mode and send a monitor message in each cycle. Without beam noise and other robots nearby the
- * recordings are exact.
+ * <p>The server must run in sync mode and send a monitor message in each cycle. The recordings are exact if there is no
+ * beam noise and no other robot nearby.
  *
  * <pre>{@code
  * new ReferenceRecorder(new ReferenceServer("127.0.0.1", 3100, 3200), 0, System.out)

@@ -88,7 +88,10 @@ public record ReferenceScenario(String name, String description, List<String> co
         return legs("l", bend) + legs("r", bend);
     }
 
-    /** Lifts the knees alternately while hips and ankles sway. Every joint returns to its start angle after each period. */
+    /**
+     * Returns commands that lift the knees alternately while hips and ankles sway. Every joint returns to its start
+     * angle after each period.
+     */
     private static String march(int cycle) {
         double phase = 2 * Math.PI * cycle * Cycle.SECONDS / 1.2;
         double sway = Math.toRadians(4) * 2 * Math.PI / 1.2 * Math.cos(phase);
@@ -106,7 +109,9 @@ public record ReferenceScenario(String name, String description, List<String> co
         return speed(side + "le3", speed) + speed(side + "le4", -2 * speed) + speed(side + "le5", speed);
     }
 
-    /** Moves all joints to a random position within the middle 30 % of their ranges in each second. */
+    /**
+     * Creates a scenario that moves every joint to a new random angle within the middle 30 % of its range each second.
+     */
     private static ReferenceScenario reaching(String name, long seed) {
         Random random = new Random(seed);
         double[] degrees = new double[Joint.COUNT];

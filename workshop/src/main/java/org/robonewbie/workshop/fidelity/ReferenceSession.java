@@ -19,11 +19,11 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Session with one robot on a server in sync mode that is also observed through the monitor port.
+ * Session with one robot on a server in sync mode, which is also observed through the monitor port.
  *
- * <p>The server reads the answer to message N after step N + 1, so that it takes effect in step N + 2. The command is stored in
- * line N + 1 of the recording. While the server waits for the answer to message N, its latest monitor message is that of step N
- * + 1; this relates the two message streams.
+ * <p>The server reads the answer to message N after step N + 1, so the answer takes effect in step N + 2. It is stored
+ * in line N + 1 of the recording. While the server waits for the answer to message N, its latest monitor message is
+ * that of step N + 1; this relates the two message streams.
  */
 final class ReferenceSession implements AutoCloseable {
 
@@ -39,7 +39,7 @@ final class ReferenceSession implements AutoCloseable {
     /**
      * Result of a recording.
      *
-     * @param lines one line per cycle, without header
+     * @param lines one line per cycle, without the header
      * @param way start of the robot; empty if balls were recorded
      * @param isNoisy whether the beam missed its target
      */
@@ -70,7 +70,8 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     /**
-     * Records a robot that starts standing; empty if monitor messages were delayed, so that they cannot be assigned to cycles.
+     * Records a robot that starts standing. Returns an empty result if monitor messages were delayed and therefore
+     * cannot be assigned to cycles.
      *
      * @param type the robot type, 0 to 4
      * @param commands command text for each cycle
@@ -99,7 +100,7 @@ final class ReferenceSession implements AutoCloseable {
                         lines(rows, newest - 1), Optional.of(way), isBeamedElsewhere(newest - 1, rows.size())));
     }
 
-    /** Records balls in order while a robot stands idle; empty if monitor messages were delayed. */
+    /** Records balls in order while a robot stands idle. Returns an empty result if monitor messages were delayed. */
     Optional<Take> recordBalls(List<BallCase> cases) throws IOException {
         takePlace(0);
         standStill();
@@ -121,7 +122,10 @@ final class ReferenceSession implements AutoCloseable {
         monitor.close();
     }
 
-    /** Creates a robot, joins a team, and returns its position. A server does not wait for a new agent during its first cycles. */
+    /**
+     * Creates a robot, joins a team, and returns its position. A server does not wait for a new agent during the
+     * agent's first cycles.
+     */
     private Vector3 takePlace(int type) throws IOException {
         send(
                 type == 0

@@ -41,7 +41,7 @@ final class Replay {
      * the recording exactly.
      *
      * @param recording the recording
-     * @param route transport of commands and measurements
+     * @param route transport for commands and measurements
      * @return the deviation of the best candidate
      * @throws IOException if a run contains neither a torso nor a ball with a known start
      */
@@ -115,7 +115,7 @@ final class Replay {
         }
     }
 
-    /** Adds a robot, since the clock runs only with at least one player. */
+    /** Adds a robot, because the clock runs only with at least one player. */
     private static void join(Match match, SoccerWorld world) throws IOException {
         try {
             match.teams().join("Recorded", 1, world.addRobot(RobotType.TYPE_0));

@@ -14,10 +14,10 @@ interface ReplayStage extends AutoCloseable {
     /**
      * Creates a stage.
      *
-     * @param route transport of the commands
+     * @param route transport for the commands
      * @param type the robot type
-     * @param way start sequence of the robot; a server supports its own start positions only
-     * @return a stage whose robot joined a team in the last cycle
+     * @param way start sequence of the robot; a server supports only its own start positions
+     * @return a stage whose robot has joined a team in the last cycle
      * @throws IOException if a server cannot be started
      */
     static ReplayStage open(AgentRoute route, RobotType type, JoiningWay way) throws IOException {
@@ -29,7 +29,7 @@ interface ReplayStage extends AutoCloseable {
 
     Ball ball();
 
-    /** {@return the robot, for initial placement and its true pose} */
+    /** {@return the robot, for placing it initially and reading its true pose} */
     Robot robot();
 
     /**

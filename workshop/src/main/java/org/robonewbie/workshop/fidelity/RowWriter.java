@@ -17,7 +17,7 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Formatter of the lines of a recording. */
+/** Formatter for the lines of a recording. */
 final class RowWriter {
 
     private static final Gson GSON = new Gson();
@@ -58,7 +58,7 @@ final class RowWriter {
      * Formats one cycle of a ball.
      *
      * @param ballCase initial condition of the ball
-     * @param index cycles since the first one with motion
+     * @param index number of cycles since the first one in which the ball moved
      * @param ball position, if the monitor port has sent it exactly
      * @param game game state
      */

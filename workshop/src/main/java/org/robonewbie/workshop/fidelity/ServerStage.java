@@ -20,7 +20,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
-/** Whole server with league rules and without noise. The robot is controlled and observed through agent messages only. */
+/** Full server with league rules but no noise. The robot is controlled and observed only through agent messages. */
 final class ServerStage implements ReplayStage {
 
     private static final int FIRST_MESSAGE = 3;
@@ -95,7 +95,10 @@ final class ServerStage implements ReplayStage {
         server.close();
     }
 
-    /** Lets other robots join and leave, since a server never reuses a start position and its first team plays on the left. */
+    /**
+     * Lets other robots join and leave, because a server never reuses a start position and its first team plays on the
+     * left.
+     */
     private static void leavePlacesBefore(JoiningWay way, SteppedServer server) throws IOException {
         if (way.side() == TeamSide.RIGHT) {
             visit(server, "Visitors");

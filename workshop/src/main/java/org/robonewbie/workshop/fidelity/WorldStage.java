@@ -9,7 +9,7 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** World without server, rules and messages. */
+/** World without a server, rules or messages. */
 final class WorldStage implements ReplayStage {
 
     private final SoccerWorld world;
@@ -46,10 +46,10 @@ final class WorldStage implements ReplayStage {
 
     @Override
     public void close() {
-        // No external resources.
+        // There are no external resources.
     }
 
-    /** Joins as on a server, where the robot falls for some cycles before it has a team. */
+    /** Joins as on a server, where the robot falls for several cycles before it has a team. */
     private void join(JoiningWay way) {
         for (int i = 0; i < way.cyclesToInit(); i++) {
             world.step();

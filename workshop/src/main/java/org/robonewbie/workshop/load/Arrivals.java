@@ -3,7 +3,10 @@ package org.robonewbie.workshop.load;
 import java.util.Arrays;
 import org.robonewbie.nao.Cycle;
 
-/** Arrival times of the messages at one agent. Written by one thread, read after it has ended or paused. */
+/**
+ * Arrival times of the messages at one agent. Written by one thread, and read by another only after the writer has
+ * ended or paused.
+ */
 final class Arrivals {
 
     private static final double NANOSECONDS = 1e9;
@@ -37,7 +40,7 @@ final class Arrivals {
     }
 
     /**
-     * Returns a quantile of the absolute deviation from 20 ms between consecutive messages.
+     * Returns a quantile of the absolute deviation of the interval between consecutive messages from 20 ms.
      *
      * @param share the quantile, 0 to 1
      * @return seconds, at least 0

@@ -11,8 +11,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.simulator.server.SyntheticPlayer;
 
 /**
- * Player for load tests that bends its knees and swings its arms without falling, so that its cost is constant. Parses every
- * message.
+ * Player for load tests that bends its knees and swings its arms without falling, so that its cost is constant. It
+ * parses every message.
  */
 final class LoadPlayer extends SyntheticPlayer {
 
@@ -37,12 +37,12 @@ final class LoadPlayer extends SyntheticPlayer {
         return arrivals;
     }
 
-    /** Whether the player has received a play mode. */
+    /** Returns whether the player has received a play mode. */
     boolean isInTheGame() {
         return !playMode.isEmpty();
     }
 
-    /** Whether a match is in progress. */
+    /** Returns whether a match is in progress. */
     boolean isPlaying() {
         return isInTheGame() && !playMode.equals(PlayMode.GAME_OVER.simSparkName());
     }
@@ -64,7 +64,7 @@ final class LoadPlayer extends SyntheticPlayer {
         message.gameState().ifPresent(this::watch);
     }
 
-    /** Called by the player's thread only, which is the single writer of these fields. */
+    /** Called only by the player's thread, which is the single writer of these fields. */
     @SuppressWarnings("NonAtomicVolatileUpdate")
     private void watch(GameState state) {
         boolean over = state.playModeName().equals(PlayMode.GAME_OVER.simSparkName());

@@ -23,8 +23,8 @@ import org.robonewbie.simulator.server.WarmUp;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Plays whole league matches of two halves with many agents over TCP on one server, and measures the cost. Agents and server
- * share this process.
+ * Plays complete league matches with many agents over TCP on one server, and measures the cost. Agents and server share
+ * this process.
  *
  * <pre>{@code
  * LoadSettings settings = new LoadSettings(22, 600, 1, true);
@@ -55,7 +55,7 @@ public final class MatchLoad {
     }
 
     /**
-     * Plays the matches; in real time after a {@linkplain WarmUp warm-up}.
+     * Plays the matches. If the server runs in real time, a {@linkplain WarmUp warm-up} precedes them.
      *
      * @return one result per match
      * @throws IOException if the server cannot be started
@@ -108,7 +108,10 @@ public final class MatchLoad {
         return players;
     }
 
-    /** Waits for the end of a match. The player counts the ends, since a short match may start and end between two polls. */
+    /**
+     * Waits for the end of a match. Relies on the number of matches that the player has seen end, because a short match
+     * may start and end between two polls.
+     */
     private void awaitEnd(LoadPlayer player, Course course, int match) {
         double[] reported = {0};
         await(() -> player.endedMatches() >= match, () -> {
@@ -132,8 +135,8 @@ public final class MatchLoad {
     }
 
     /**
-     * Returns the heap in use. Takes the minimum of several collections, since one collection may leave unreachable objects in
-     * sparsely filled regions.
+     * Returns the heap in use. Takes the minimum of several collections, because one collection may leave unreachable
+     * objects in sparsely filled regions.
      */
     private static double heapMegabytes() {
         return IntStream.range(0, COLLECTIONS)
@@ -142,7 +145,10 @@ public final class MatchLoad {
                 .orElseThrow();
     }
 
-    /** Uses the size at the end of the collection, which excludes thread-local allocation buffers assigned since. */
+    /**
+     * Returns the heap in use at the end of a collection, which excludes thread-local allocation buffers assigned since
+     * then.
+     */
     private static double heapMegabytesAfterCollection() {
         ManagementFactory.getMemoryMXBean().gc();
         return ManagementFactory.getMemoryPoolMXBeans().stream()
@@ -178,7 +184,7 @@ public final class MatchLoad {
             beganProcess = processSeconds();
         }
 
-        /** Ends the measurement. The heap is evaluated last, since it needs the next kick-off. */
+        /** Ends the measurement. The heap is evaluated last, because it needs the next kick-off. */
         MatchLoadResult result(int match, DoubleSupplier heapMegabytes) {
             long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
             double server = simulator.processorSeconds() - beganServer;

@@ -11,7 +11,8 @@ import java.util.Locale;
  * @param missedCycles cycles by which the simulation fell behind real time
  * @param serverMilliseconds processor time of the server thread per cycle
  * @param processMilliseconds processor time of the whole process per cycle, including all agents
- * @param usualJitterMilliseconds 99th percentile of the deviation from 20 ms between two messages to an agent
+ * @param usualJitterMilliseconds 99th percentile of the deviation from 20 ms of the interval between two messages to an
+ *     agent
  * @param worstJitterMilliseconds maximum of that deviation
  * @param heapMegabytes memory in use after a garbage collection, while the robots stand for the next kick-off
  */
@@ -33,7 +34,7 @@ public record MatchLoadResult(
     /**
      * Formats the result as a row of the table.
      *
-     * @return a line without line break
+     * @return one line without a line break
      */
     public String toLine() {
         return String.format(

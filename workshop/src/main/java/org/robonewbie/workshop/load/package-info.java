@@ -1,6 +1,6 @@
 /**
- * Load test of a server with whole matches over TCP: whether it keeps up with real time, and at what cost.
- * Start with {@link org.robonewbie.workshop.load.MatchLoad}.
+ * Load test of a server with complete matches over TCP: whether it keeps up with real time, and at what cost. Start
+ * with {@link org.robonewbie.workshop.load.MatchLoad}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -39,7 +39,7 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
         return (int) outcomes.stream().filter(Outcome::success).count();
     }
 
-    /** {@return the mean over the successful trials in the unit of the check; 0 without any} */
+    /** {@return the mean over the successful trials in the unit of the check; 0 if there are none} */
     public double mean() {
         return outcomes.stream()
                 .filter(Outcome::success)

@@ -30,11 +30,11 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
     private static final double PUSH_NEWTONS = 3;
 
-    /** World without server; pushes disturb the robot. */
+    /** World without a server, in which pushes disturb the robot. */
     static final CheckStart BARE = new CheckStart(
             "", "stance, reached from a posture beside it", seed -> MotionTrial.inStance(seed, PUSH_NEWTONS));
 
-    /** World without server, with the ball in front of the feet. */
+    /** Returns an environment without a server, with the ball in front of the feet. */
     static CheckStart kicker(RobotType type) {
         return new CheckStart(
                 suffix(type),
@@ -42,7 +42,7 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.inStance(type, WalkStyle.STANDARD, seed, 2));
     }
 
-    /** Agent on a whole simulator. */
+    /** Returns an environment with an agent on a full simulator. */
     static CheckStart server(RobotType type) {
         Scene scene = Scene.of(MotionTrial.ROBOT.withType(type).after("stand")).withBall(MotionTrial.BALL_ASIDE);
         return new CheckStart(
@@ -51,17 +51,20 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.served(scene, seed, new ScriptedAgent(WalkStyle.STANDARD)));
     }
 
-    /** Agent on a whole simulator with the league pitch, for long walks. */
+    /** Returns an environment with an agent on a full simulator with the league pitch, for long walks. */
     static CheckStart onLeaguePitch(RobotType type, WalkStyle style) {
         return onLeaguePitch("", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(style));
     }
 
-    /** Agent on a whole simulator with the league pitch, for far kicks. */
+    /** Returns an environment with an agent on a full simulator with the league pitch, for long kicks. */
     static CheckStart serverOnLeaguePitch(RobotType type) {
         return onLeaguePitch(", on the server", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(WalkStyle.STANDARD));
     }
 
-    /** Agent with a learned run that steers by its own sensors; otherwise like {@link #onLeaguePitch(RobotType, WalkStyle)}. */
+    /**
+     * Returns an environment with an agent that uses a learned run and steers by its own sensors; otherwise like {@link
+     * #onLeaguePitch(RobotType, WalkStyle)}.
+     */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned, LineKeeping keeping) {
         String words = ON_LEAGUE_PITCH + "; it steers by its own sensors";
         return onLeaguePitch("", words, type, () -> new ScriptedRunner(learned, keeping));
@@ -77,7 +80,7 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.served(pitch, seed, robot.get()).intoStance(seed, PUSH_NEWTONS));
     }
 
-    /** Suffix of the names of checks with a non-standard robot type. */
+    /** Returns the suffix of the names of checks with a non-standard robot type. */
     static String suffix(RobotType type) {
         return type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal();
     }

@@ -88,7 +88,7 @@ final class FallChecks {
         }
     }
 
-    /** Returns 1 if the ball has passed the robot, otherwise 0. */
+    /** Measure that is 1 if the ball has passed the robot, otherwise 0. */
     private static final class Goal extends MeasureFromStart {
 
         private static final double BEHIND = -0.3;

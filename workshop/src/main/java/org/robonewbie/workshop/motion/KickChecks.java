@@ -114,7 +114,7 @@ final class KickChecks {
      */
     private record Kick(double metres, double degreesAside, boolean standing) {}
 
-    /** Returns the time from the start of the kick until the ball is faster than 1 m/s, in seconds. */
+    /** Measure of the time in seconds from the start of the kick until the ball is faster than 1 m/s. */
     private static final class FirstRoll extends MeasureFromStart {
 
         private double seconds = Double.POSITIVE_INFINITY;

@@ -18,10 +18,10 @@ import org.robonewbie.nao.geometry.Pose2d;
  */
 record LineKeeping(double degreesForAMetre, double mostDegrees, double turnForADegree, double mostTurn) {
 
-    /** For a run that tolerates little turning. */
+    /** Parameters for a run that tolerates little turning. */
     static final LineKeeping GENTLE = new LineKeeping(20, 10, 1, 10);
 
-    /** For a gait that turns easily. */
+    /** Parameters for a gait that turns easily. */
     static final LineKeeping FIRM = new LineKeeping(40, 10, 2, 40);
 
     /**

@@ -69,7 +69,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         return new Vector3(Math.cos(direction), Math.sin(direction), 0).times(PUSH_NEWTONS);
     }
 
-    /** Pushes the robot over, twice in a trial. */
+    /** Pushes the robot over twice per trial. */
     private static void throwOver(Trial trial, Vector3[] pushes) {
         for (int i = 0; i < FALLS.length; i++) {
             double since = trial.seconds() - FALLS[i];

@@ -10,13 +10,13 @@ import java.util.function.LongFunction;
  * @param rule criterion of success
  * @param unit unit of the measured value
  * @param trial runs one trial with a seed
- * @param thoroughness factor on the number of trials
+ * @param thoroughness factor by which the number of trials is multiplied
  */
 public record MotionCheck(
         String name, String start, String rule, String unit, LongFunction<Outcome> trial, double thoroughness) {
 
     /**
-     * Creates a check with the usual number of trials.
+     * Creates a check with the default number of trials.
      *
      * @param name name of the motion or the task
      * @param start description of the start of each trial
@@ -29,10 +29,10 @@ public record MotionCheck(
     }
 
     /**
-     * Multiplies the number of trials.
+     * Returns a copy with a different number of trials.
      *
-     * @param factor factor on the number of trials
-     * @return a copy of this check
+     * @param factor factor by which to multiply the number of trials
+     * @return the copy
      */
     MotionCheck thoroughly(double factor) {
         return new MotionCheck(name, start, rule, unit, trial, factor);

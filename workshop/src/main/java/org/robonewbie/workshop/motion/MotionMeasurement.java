@@ -35,7 +35,7 @@ public final class MotionMeasurement {
      * @param seeds trials of each motion, at least 1
      * @param firstSeed seed of the first trial of each motion
      * @param part substring of the names of the motions to measure; empty for all
-     * @param type robot type; types other than 0 walk and fall on a whole simulator only
+     * @param type robot type; for types other than 0, walks and falls are measured only on a full simulator
      * @param out destination of the table
      */
     public MotionMeasurement(int seeds, long firstSeed, String part, RobotType type, PrintStream out) {
@@ -123,7 +123,7 @@ public final class MotionMeasurement {
         AtomicFile.write(file, text);
     }
 
-    /** JSON object of one check. */
+    /** JSON object for one check. */
     private record Row(String name, int trials, int successes, double mean, String unit, String start, String rule) {
 
         static Row of(CheckResult result) {

@@ -8,7 +8,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of the learned runs: an agent on a whole simulator with noise that keeps to its line by its own sensors. */
+/** Checks of the learned runs: on a full simulator with noise, an agent uses its own sensors to keep to a line. */
 final class RunChecks {
 
     private static final double LONG_WAY = 20;
@@ -75,7 +75,7 @@ final class RunChecks {
         return new WalkVelocity(gait.commanded * Math.max(0, share), 0, 0);
     }
 
-    /** Learned gait, and its requirements. */
+    /** Learned gait and its requirements. */
     private record Gait(
             String policy,
             String verb,
@@ -85,7 +85,7 @@ final class RunChecks {
             String stopping,
             double secondsToSlowDown) {
 
-        /** Commanded below its maximum speed, for stability over long distances. */
+        /** Run, commanded below its maximum speed for stability over long distances. */
         static final Gait RUN = new Gait("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3);
 
         static final Gait JOG = new Gait("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);

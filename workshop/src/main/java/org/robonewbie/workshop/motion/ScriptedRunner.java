@@ -6,7 +6,10 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.geometry.Pose2d;
 
-/** Agent with a learned gait that keeps to the line ahead of its start pose, located by its own {@link SelfLocalisation}. */
+/**
+ * Agent with a learned gait that keeps to the line ahead of its start pose and locates itself with {@link
+ * SelfLocalisation}.
+ */
 final class ScriptedRunner extends ScriptedAgent {
 
     private final SelfLocalisation self = new SelfLocalisation();

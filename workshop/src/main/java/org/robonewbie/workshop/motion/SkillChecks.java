@@ -13,7 +13,10 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of a player on the league pitch: an agent on a whole simulator with noise walks long distances and to poses. */
+/**
+ * Checks of a player on the league pitch: on a full simulator with noise, an agent walks long distances and to target
+ * poses.
+ */
 final class SkillChecks {
 
     private static final double LONG_WAY = 20;

@@ -11,12 +11,19 @@ final class AgentThreads implements AutoCloseable {
 
     private final ThreadCrew crew;
 
-    /** @param threads number of threads including the caller of {@link #act}; at least 1 */
+    /**
+     * Starts the threads.
+     *
+     * @param threads number of threads including the caller of {@link #act}; at least 1
+     */
     AgentThreads(int threads) {
         crew = new ThreadCrew(threads);
     }
 
-    /** Runs one cycle of each agent. Falls back to one thread while any message is missing, since a waiting agent advances the world. */
+    /**
+     * Runs one cycle of each agent. Falls back to one thread while any message is missing, because a waiting agent
+     * advances the world.
+     */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
         Crew all = crew.helpers().isEmpty() || haveAllMessages(agents) ? crew : Crew.ALONE;
         try {

@@ -15,7 +15,7 @@ import org.robonewbie.nao.Cycle;
 /**
  * Measures the speed of a server with agents that answer every message.
  *
- * <p>The embedded server and its agents take turns on the same threads, so that no waiting time is measured. The server's
+ * <p>The embedded server and its agents take turns on the same threads, so no waiting time is measured. The server's
  * processor time excludes that of the agents.
  *
  * <pre>{@code
@@ -118,7 +118,7 @@ public final class Benchmark {
         return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
     }
 
-    /** Plays all cycles and samples the memory in between if requested. */
+    /** Plays all cycles and, if requested, samples the memory between them. */
     private List<HeapSample> measured(Session session, int from, int measured, Consumer<HeapSample> heap)
             throws IOException {
         int part = plan.heapEverySeconds().isPresent()

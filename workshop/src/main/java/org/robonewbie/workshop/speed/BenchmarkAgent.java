@@ -57,12 +57,12 @@ final class BenchmarkAgent {
         link.send(message);
     }
 
-    /** Whether the server has assigned the robot to a team. */
+    /** Returns whether the server has assigned the robot to a team. */
     boolean isInTeam() {
         return inTeam;
     }
 
-    /** Number of messages answered before the game. */
+    /** Returns the number of messages answered before the game starts. */
     int messages() {
         return messages;
     }

@@ -48,7 +48,7 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
      * Formats a run as a line of the console table.
      *
      * @param run the run
-     * @return a line with its line break
+     * @return one line with its line break
      */
     public static String line(BenchmarkRun run) {
         return String.format(
@@ -89,7 +89,7 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Formats the results as a Markdown table with a row per number of robots, a column per scene, and the figures of
+     * Formats the results as a Markdown table with a row per number of robots, a column per scene, and the values of
      * rcssserver3d for comparison.
      *
      * @return Markdown text

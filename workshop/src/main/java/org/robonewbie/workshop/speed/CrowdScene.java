@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 
 /** Movement of the robots during a benchmark. */
 public enum CrowdScene {
-    /** Standing with bent knees; every joint is controlled, so that the physics never puts the robots to sleep. */
+    /** Standing with bent knees; every joint is controlled, so the physics never puts the robots to sleep. */
     STANDING {
         @Override
         double targetDegrees(Joint joint, int robot, int cycle) {
@@ -22,7 +22,7 @@ public enum CrowdScene {
             return crouch(joint, Math.max(0, Math.sin(left ? phase : phase + Math.PI)));
         }
     },
-    /** Thrown onto a heap every ten seconds, with random movements of all joints. */
+    /** Dropped in a pile every ten seconds, with random movements of all joints. */
     HEAP {
         @Override
         double targetDegrees(Joint joint, int robot, int cycle) {
@@ -50,20 +50,20 @@ public enum CrowdScene {
     private static final double CROUCH_DEGREES = 25;
     private static final double LIFT_DEGREES = 12;
 
-    /** Returns the start position of a robot: far from the others, or in the heap. */
+    /** Returns the start position of a robot: far from the others, or in the pile. */
     Vector3 place(int robot) {
         return new Vector3(-13 + 2.5 * (robot % 11), robot < 11 ? 4 : -4, 0.39);
     }
 
-    /** Whether all robots are reset to their start positions before a cycle. */
+    /** Returns whether all robots are reset to their start positions before a cycle. */
     boolean placesAgain(int cycle) {
         return cycle == 0;
     }
 
-    /** The target angle of a joint. */
+    /** Returns the target angle of a joint. */
     abstract double targetDegrees(Joint joint, int robot, int cycle);
 
-    /** Joint angle of bent knees with level soles; lifting a foot bends them further. */
+    /** Returns the angle of a joint for bent knees and level soles; lifting a foot bends the knees further. */
     private static double crouch(Joint joint, double lift) {
         double bend = CROUCH_DEGREES + LIFT_DEGREES * lift;
         return switch (joint) {
@@ -74,7 +74,7 @@ public enum CrowdScene {
         };
     }
 
-    /** Mixing step of the SplitMix64 generator (Steele, Lea and Flood 2014). */
+    /** Applies the mixing step of the SplitMix64 generator (Steele, Lea and Flood 2014). */
     private static long mixed(long number) {
         long z = (number + 1) * 0x9E3779B97F4A7C15L;
         z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;

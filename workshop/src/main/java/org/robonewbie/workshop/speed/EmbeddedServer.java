@@ -15,7 +15,9 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.ThreadCrew;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Simulator in this process that runs on the calling thread and helper threads. Its figures exclude the agents. */
+/**
+ * Simulator in this process that runs on the calling thread and helper threads. Its measurements exclude the agents.
+ */
 final class EmbeddedServer implements BenchmarkServer {
 
     /** Cycles until the first message to a new robot. */
@@ -23,7 +25,7 @@ final class EmbeddedServer implements BenchmarkServer {
 
     private static final int CYCLES_TO_JOIN = 6;
 
-    /** Disables the rules that would remove robots from a heap or fallen robots from the pitch. */
+    /** Disables the rules that would remove robots from a pile or fallen robots from the pitch. */
     private static final String[] WITHOUT_FOULS = {
         "MinRobotTypesCount=1",
         "MaxRobotTypeCount=11",

@@ -4,7 +4,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Locale;
 
 /**
- * Memory in use at one moment of a long run.
+ * Memory in use at one point in a long run.
  *
  * @param seconds simulated time since the start of the measurement
  * @param bytes heap size after a garbage collection, for the whole process including the agents
@@ -22,7 +22,7 @@ public record HeapSample(double seconds, long bytes) {
     /**
      * Formats the sample for the console.
      *
-     * @return a line with its line break
+     * @return one line with its line break
      */
     public String toLine() {
         return String.format(Locale.ROOT, "  after %.0f s: %.2f MB%n", seconds, bytes / 1e6);

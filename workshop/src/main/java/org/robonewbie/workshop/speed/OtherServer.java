@@ -23,7 +23,7 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
  */
 final class OtherServer implements BenchmarkServer {
 
-    /** Messages after which a robot without a team counts as refused. */
+    /** Number of messages after which a robot without a team counts as refused. */
     private static final int MESSAGES_TO_JOIN = 50;
 
     /** Maximum number of cycles until the first message to a new robot. */

@@ -1,5 +1,5 @@
 /**
- * Benchmark of a whole server with robots that stand, walk or lie in a heap. Start with {@link
+ * Benchmark of a complete server with robots that stand, walk or lie in a pile. Start with {@link
  * org.robonewbie.workshop.speed.Benchmark}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.

@@ -29,7 +29,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 
-/** Plays many games of the example agents, each with another seed, and reports their success. */
+/** Plays many games with each example agent, using a different seed for each, and reports how many succeed. */
 public final class AgentMeasurement {
 
     private static final String LINE = "%-24s %6s %9s %8s  %s";
@@ -43,7 +43,7 @@ public final class AgentMeasurement {
     private final long firstSeed;
     private final PrintStream out;
 
-    /** Task of one agent, which succeeds if the measure is decided in time. */
+    /** Task of one agent; it succeeds if the measure is decided in time. */
     private record Task(
             String name,
             String rule,
@@ -94,7 +94,7 @@ public final class AgentMeasurement {
     /**
      * Creates a measurement.
      *
-     * @param trials games of each agent
+     * @param trials number of games of each agent
      * @param firstSeed seed of the first game
      * @param out destination of the table
      */
@@ -181,7 +181,7 @@ public final class AgentMeasurement {
         }
     }
 
-    /** Returns a random pose in the own half at some distance from the ball in the centre. */
+    /** Returns a random pose in the robot's own half, away from the ball in the centre. */
     private static Pose2d anywhere(Random random) {
         double x = -0.8 - 3.7 * random.nextDouble();
         double y = -3 + 6 * random.nextDouble();

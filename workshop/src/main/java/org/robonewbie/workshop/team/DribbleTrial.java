@@ -8,9 +8,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Trial in which a robot dribbles 5 m on the league pitch, with noise, from the stance.
+ * Trial in which a robot dribbles 5 m on the league pitch, with noise, starting from the stance.
  *
- * @param seconds duration, infinite if the robot did not arrive
+ * @param seconds duration in seconds; infinite if the robot did not arrive
  * @param farthest maximum distance between ball and robot in metres
  */
 record DribbleTrial(double seconds, double farthest) {
@@ -23,7 +23,7 @@ record DribbleTrial(double seconds, double farthest) {
     private static final double GIVE_UP_SECONDS = 30;
     private static final double MAX_METRES = 0.5;
 
-    /** Runs a trial on a whole simulator. */
+    /** Runs a trial on a full simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
                 PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(new Dribbler(numbers)))) {
@@ -44,12 +44,12 @@ record DribbleTrial(double seconds, double farthest) {
         return new DribbleTrial(seconds, farthest);
     }
 
-    /** Whether the ball was 5 m ahead within 10 s. */
+    /** Returns whether the ball had moved 5 m ahead within 10 s. */
     boolean isInTime() {
         return seconds <= MAX_SECONDS;
     }
 
-    /** Whether the trial succeeded with the ball never more than 0.5 m away. */
+    /** Returns whether the trial succeeded and the ball was never more than 0.5 m away. */
     boolean isClose() {
         return isInTime() && farthest <= MAX_METRES;
     }

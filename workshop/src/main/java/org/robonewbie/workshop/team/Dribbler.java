@@ -10,7 +10,10 @@ import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.world.WorldModel;
 
-/** Robot that dribbles straight along the pitch with a close ball. It starts walking as soon as it has seen the ball. */
+/**
+ * Robot that dribbles straight along the pitch, keeping the ball close. It starts walking as soon as it has seen the
+ * ball.
+ */
 final class Dribbler extends Agent {
 
     private static final double FAR_METRES = 10;

@@ -21,7 +21,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.workshop.motion.MotionCheck;
 import org.robonewbie.workshop.motion.Outcome;
 
-/** Checks of dribbling and of kicks out of the walk by a player of the example team on the league pitch. */
+/** Checks how a player of the example team dribbles, and how it kicks while walking, on the league pitch. */
 public final class PlayerChecks {
 
     private static final Pose2d START = new Pose2d(-8, 0, 0);
@@ -162,7 +162,10 @@ public final class PlayerChecks {
         return Trial.served(scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(player));
     }
 
-    /** Scene with a robot in the stance on the league pitch and the ball ahead of it, with a sideways offset by seed. */
+    /**
+     * Returns a scene on the league pitch with a robot in the stance and the ball ahead of it, at a sideways offset
+     * that depends on the seed.
+     */
     static Scene scene(RobotType type, double ballAhead, long seed) {
         double aside = ASIDE_METRES * Math.sin((double) seed);
         return Scene.of(RobotStart.at(START).withType(type).after("stand"))

@@ -64,7 +64,7 @@ final class TeamMatch {
     /**
      * Plays one half.
      *
-     * @param seed seed of all noise
+     * @param seed seed for all noise
      * @param home number of players of the measured team
      * @param away number of players of the other team, may be 0
      * @param team creates a player of the measured team by number

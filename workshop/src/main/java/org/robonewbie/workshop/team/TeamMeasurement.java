@@ -16,7 +16,7 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.workshop.team.TeamMatch.Result;
 
-/** Matches of the example team on the league pitch: one player alone, or equal numbers on both sides. */
+/** Plays matches of the example team on the league pitch: with a single player, or with equal numbers on both sides. */
 public final class TeamMeasurement {
 
     /** Default opponent. */

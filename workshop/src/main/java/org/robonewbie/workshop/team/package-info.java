@@ -1,5 +1,6 @@
 /**
- * Statistics of games of the example agents and the example team. Start with {@link org.robonewbie.workshop.team.TeamMeasurement}.
+ * Statistics on games played by the example agents and the example team. Start with {@link
+ * org.robonewbie.workshop.team.TeamMeasurement}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -5,8 +5,8 @@ import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * A placeholder connection for an agent of a saved state that is not currently connected: it answers each message but
- * never moves.
+ * A placeholder connection for an agent in a saved state that is not currently connected. It answers each message but
+ * never moves the robot.
  */
 final class AbsentLink implements ServerLink {
 

@@ -94,19 +94,19 @@ public final class AgentChannel implements Restorable {
     }
 
     /**
-     * Whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so that a run
-     * does not depend on the moment at which the disconnection is detected.
+     * Returns whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so
+     * that a run does not depend on the moment at which the disconnection is detected.
      */
     boolean hasLeft() {
         return !link.isOpen() && !(synchronous && synchronised);
     }
 
-    /** Whether the agent has ever sent a message. */
+    /** Returns whether the agent has ever sent a message. */
     boolean hasSpoken() {
         return spoken;
     }
 
-    /** Whether sync mode need not wait for this agent. */
+    /** Returns whether sync mode need not wait for this agent. */
     boolean isSynchronised() {
         return synchronised
                 || !link.isOpen()
@@ -114,12 +114,17 @@ public final class AgentChannel implements Restorable {
                 || (!link.isLocal() && !spoken);
     }
 
-    /** An agent in another process may join without {@code (syn)}: until it first sends one, any answer counts. */
+    /**
+     * Returns whether an agent in another process has answered, but never with {@code (syn)}: until it first sends one,
+     * any answer counts.
+     */
     private boolean hasAnsweredWithoutSyn() {
         return !link.isLocal() && answered && !everSynchronised;
     }
 
-    /** Whether this agent is in another process and must join before the first cycle of a world in sync mode. */
+    /**
+     * Returns whether this agent is in another process and must join before the first cycle of a world in sync mode.
+     */
     boolean isAwaited() {
         return synchronous && strict && !link.isLocal();
     }
@@ -160,7 +165,7 @@ public final class AgentChannel implements Restorable {
         return Math.max(0, generatedMessages - unansweredMessages - 1);
     }
 
-    /** The number of messages not answered before the next one was sent. */
+    /** Returns the number of messages not answered before the next one was sent. */
     long unansweredMessages() {
         return unansweredMessages;
     }
@@ -247,7 +252,7 @@ public final class AgentChannel implements Restorable {
         }
     }
 
-    /** Whether the last {@link #restore} also restored the agent's own state. */
+    /** Returns whether the last {@link #restore} also restored the agent's own state. */
     boolean isRestored() {
         return restored;
     }

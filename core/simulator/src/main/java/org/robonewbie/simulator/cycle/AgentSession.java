@@ -57,7 +57,7 @@ public final class AgentSession {
         return robot;
     }
 
-    /** {@return the player it controls; empty before it joined a team} */
+    /** {@return the player it controls; empty before it joins a team} */
     public Optional<Player> player() {
         return player;
     }
@@ -90,7 +90,7 @@ public final class AgentSession {
         camera = body.camera();
     }
 
-    /** Whether the robot was created in this cycle; its perceptors start in the next one. */
+    /** Returns whether the robot was created in this cycle; its perceptors start in the next one. */
     boolean isNewborn() {
         return isNewborn;
     }
@@ -100,7 +100,7 @@ public final class AgentSession {
         camera = Optional.of(newCamera);
     }
 
-    /** The camera image of this cycle. */
+    /** Returns the camera image of this cycle. */
     Optional<Vision> picture() {
         return picture;
     }
@@ -124,7 +124,7 @@ public final class AgentSession {
         cyclesInTeam = 0;
     }
 
-    /** Sets the player with a new body but the same team and number. */
+    /** Replaces the player by one with a new body but the same team and number. */
     void replacePlayer(Player newPlayer) {
         player = Optional.of(newPlayer);
     }
@@ -152,7 +152,7 @@ public final class AgentSession {
         lastBeam = Optional.of(beam);
     }
 
-    /** The last beam pose, noise included. */
+    /** Returns the last beam pose, including noise. */
     Optional<Beam> lastBeam() {
         return lastBeam;
     }
@@ -196,7 +196,7 @@ public final class AgentSession {
         isNewborn = false;
     }
 
-    /** Whether a camera image is due, in every third cycle since the agent connected. */
+    /** Returns whether a camera image is due, as in every third cycle after the agent connected. */
     boolean seesInThisCycle() {
         return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }
@@ -241,7 +241,7 @@ public final class AgentSession {
         return current;
     }
 
-    /** Whether this is the placeholder of an agent that was not connected when a state was restored. */
+    /** Returns whether this is the placeholder of an agent that was not connected when a state was restored. */
     boolean isAbsent() {
         return connection.link() instanceof AbsentLink;
     }

@@ -14,8 +14,8 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * The identity of an agent in a saved state.
  *
- * @param id id of its robot, 0 without a robot
- * @param team name of its team, empty without a team
+ * @param id id of its robot, 0 if it has no robot
+ * @param team name of its team, empty if it has no team
  * @param number uniform number
  */
 record AgentSlot(int id, String team, int number) {
@@ -45,9 +45,10 @@ record AgentSlot(int id, String team, int number) {
     }
 
     /**
-     * Restores the state of all agents. Robots and match must be restored before.
+     * Restores the state of all agents. Call after the robots and the match have been restored.
      *
-     * @param agents the connected agents; on return the saved agents in their order, followed by agents without a slot
+     * @param agents the connected agents; on return, the saved agents in their saved order, followed by the agents
+     *     without a slot
      * @param newCamera creates the camera of a robot that had none
      * @param absent creates the placeholder for an agent that is not connected
      */

@@ -90,7 +90,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    /** Replaces a player's body with a new one, all joints at 0, at its last beam pose. */
+    /** Replaces a player's body with a new one at its last beam pose, with all joints at 0. */
     void renew(AgentSession agent, Player player) {
         Robot robot = world.addRobot(player.robot().model().type());
         world.removeRobot(player.robot());
@@ -99,7 +99,7 @@ final class Effectors implements Restorable {
         putToStart(agent);
     }
 
-    /** Moves a robot to its last beam pose or, without one, to the start position of new robots. */
+    /** Moves a robot to its last beam pose or, if there is none, to the start position of new robots. */
     private void putToStart(AgentSession agent) {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
@@ -214,7 +214,7 @@ final class Effectors implements Restorable {
                         PortableMath.hypot(other.x() - position.x(), other.y() - position.y()) < SPACING_METRES - 0.01);
     }
 
-    /** The requested robot type; -1 if it does not exist. */
+    /** Returns the requested robot type; -1 if it does not exist. */
     private static int robotType(CreateRobot create) {
         if (create.path().equals(CreateRobot.SCENE)) {
             return 0;

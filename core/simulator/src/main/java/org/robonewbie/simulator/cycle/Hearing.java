@@ -11,8 +11,8 @@ import org.robonewbie.protocol.perceptor.Heard;
 
 /**
  * A robot's hear perceptor. In each cycle it receives at most the robot's own message, one message from a teammate and
- * one from an opponent. After a message from a teammate or an opponent, it receives none of that kind in the next cycle
- * (SimSpark: {@code agentstate.cpp}).
+ * one from an opponent. After a message from a teammate or an opponent, it receives no message of that kind in the next
+ * cycle (SimSpark: {@code agentstate.cpp}).
  */
 final class Hearing implements Restorable {
 

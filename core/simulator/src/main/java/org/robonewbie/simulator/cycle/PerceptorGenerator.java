@@ -70,8 +70,8 @@ final class PerceptorGenerator {
     }
 
     /**
-     * Whether an awaited agent has not yet joined a team. Until then it sees nothing, because its view would depend on
-     * the order of connections.
+     * Returns whether an awaited agent has not yet joined a team. Until then it sees nothing, because its view would
+     * depend on the order of connections.
      */
     private static boolean isUnidentified(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();

@@ -28,7 +28,7 @@ public final class RateLimitedLogger {
     }
 
     /**
-     * Logs a problem unless its kind was logged before.
+     * Logs a problem unless one of the same kind has been logged before.
      *
      * @param kind key that identifies the kind of problem
      * @param sentence the message without its subject

@@ -36,13 +36,13 @@ import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * The simulation loop of 20 ms cycles, without clock and threads. A cycle reads the agents' messages, sends the messages generated
- * in the previous cycle, steps the physics, runs the referee and generates the next messages (SimSpark: {@code
- * simulationserver.cpp}).
+ * The simulation loop of 20 ms cycles, without a clock or threads. A cycle reads the agents' messages, sends the
+ * messages generated in the previous cycle, steps the physics, runs the referee and generates the next messages
+ * (SimSpark: {@code simulationserver.cpp}).
  *
- * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k
- * + 2: a delay of two cycles. Agents are served in the order of their connections or, for agents in other processes, in
- * the {@link TurnOrder}, so that identical answers produce identical games.
+ * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message
+ * k + 2: a delay of two cycles. Agents are served in the order of their connections or, for agents in other processes,
+ * in the {@link TurnOrder}, so that identical answers produce identical games.
  */
 public final class SimulationCycle implements Restorable {
 
@@ -149,7 +149,7 @@ public final class SimulationCycle implements Restorable {
                 .toList();
     }
 
-    /** Resets ball, objects, robots and score to the start of the game. */
+    /** Resets the ball, objects, robots and score to their state at the start of the game. */
     public void reset() {
         match.restart();
         world.things().reset();
@@ -211,7 +211,7 @@ public final class SimulationCycle implements Restorable {
                 && !(agent.connection().hasSpoken() && agent.connection().isSynchronised()));
     }
 
-    /** Returns the first selected agent, without garbage, because it is called in each cycle. */
+    /** Returns the first selected agent. Allocates nothing, because it is called in each cycle. */
     private Optional<AgentSession> first(Predicate<AgentSession> selected) {
         for (int i = 0; i < agents.size(); i++) {
             if (selected.test(agents.get(i))) {

@@ -19,8 +19,8 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * A simulator that its owner steps manually, without thread, clock, port or file. It advances by {@link #cycle}, or whenever an
- * agent waits for its next message.
+ * A simulator that its owner steps manually, without a thread, clock, port or file. It advances by {@link #cycle}, or
+ * whenever an agent waits for its next message.
  *
  * <pre>{@code
  * SteppedSimulator simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(1), Console.silent());
@@ -193,7 +193,7 @@ public final class SteppedSimulator implements AutoCloseable {
         return cycle.recorder().report(settings.seed(), 0, 0);
     }
 
-    /** {@return the exact state, for this simulator or one with the same settings} */
+    /** {@return the exact state, which this simulator or one with the same settings can restore} */
     public WorldState save() {
         return cycle.save();
     }

@@ -8,9 +8,9 @@ import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 
 /**
- * A canonical order of awaited agents in other processes, which makes a game independent of the order in which they
- * connect. Their robots are created sorted by robot type; after joining, agents are served in the order of team names and
- * uniform numbers.
+ * A canonical order of the awaited agents in other processes. It makes a game independent of the order in which they
+ * connect. Their robots are created sorted by robot type; after joining, agents are served in the order of team names
+ * and uniform numbers.
  *
  * <p>Before they join, robots of one type are interchangeable. Each joining agent gets the first robot of its type.
  */

@@ -68,7 +68,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         }
     }
 
-    /** Returns the file of the automatic recording, which only a run with a view has. */
+    /** Returns the file for the automatic recording; only a run with a view has one. */
     private static Optional<Path> automaticRecording(SimulatorRequest request) {
         return request.headless()
                 ? Optional.empty()

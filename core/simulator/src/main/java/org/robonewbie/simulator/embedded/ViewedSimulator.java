@@ -24,7 +24,7 @@ final class ViewedSimulator implements EmbeddedSimulator {
     }
 
     /**
-     * Starts the telemetry server. Robots of other processes work without the server, so a port in use is not an error.
+     * Starts the telemetry server. Robots in other processes work without the server, so a port in use is not an error.
      */
     private static Optional<TelemetryServer> listen(int agentPort, TelemetrySink sink) {
         try {

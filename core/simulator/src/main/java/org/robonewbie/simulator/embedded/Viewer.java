@@ -25,10 +25,10 @@ public interface Viewer {
         URI address();
 
         /**
-         * Returns an address that authorises a browser: it contains a code that is valid once, for ten minutes. {@link Browser}
-         * opens it without revealing the code to other users of the computer.
+         * Returns an address that authorises a browser: it contains a code that is valid once, for ten minutes. {@link
+         * Browser} opens it without revealing the code to other users of the computer.
          *
-         * @return a new address in each call
+         * @return a new address on each call
          */
         URI oneTimeAddress();
 
@@ -39,7 +39,8 @@ public interface Viewer {
          * Returns the sink for the telemetry of robots. It must be thread-safe: robots in this process and, through a
          * {@link org.robonewbie.protocol.tcp.TelemetryServer}, in other processes use it.
          *
-         * @return receives log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show them
+         * @return the sink for log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show
+         *     them
          */
         default TelemetrySink telemetry() {
             return TelemetrySink.NONE;

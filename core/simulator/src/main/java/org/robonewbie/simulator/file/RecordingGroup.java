@@ -39,7 +39,7 @@ public record RecordingGroup(Path recording) {
     /**
      * Returns the path of a sidecar file.
      *
-     * @param extension such as {@link #NOTES}
+     * @param extension the extension, such as {@link #NOTES}
      * @return the file, which need not exist
      */
     public Path beside(String extension) {

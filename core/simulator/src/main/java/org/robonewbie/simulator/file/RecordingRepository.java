@@ -16,7 +16,7 @@ import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * The folder for automatic recordings, with a size limit. The oldest recordings are deleted to stay within the limit,
- * even while a run is being recorded. Starred recordings are kept and do not count.
+ * even while a run is being recorded. Starred recordings are kept and do not count towards the limit.
  *
  * @param folder the folder, which need not exist
  * @param maxBytes maximum total size of the recordings
@@ -51,7 +51,8 @@ public record RecordingRepository(Path folder, long maxBytes) {
      * Allocates the next recording and deletes old ones if necessary.
      *
      * @param agent name of the program, empty if unknown
-     * @return the file, named after the current time, which does not yet exist; empty if the folder cannot be used
+     * @return the file, which is named after the current time and does not exist yet; empty if the folder cannot be
+     *     used
      */
     public Optional<Path> next(String agent) {
         try {
@@ -96,7 +97,7 @@ public record RecordingRepository(Path folder, long maxBytes) {
         }
     }
 
-    /** Deletes the oldest recordings until the rest is within the size limit, but never the newest one. */
+    /** Deletes the oldest recordings until the rest are within the size limit, but never deletes the newest one. */
     private void deleteOldest() throws IOException {
         long bytes = 0;
         for (Path file : list()) {

@@ -31,7 +31,8 @@ public final class StateFile {
      * @param file the file
      * @return the state
      * @throws IOException if it cannot be read
-     * @throws IllegalArgumentException if it is not a state, has another version or is damaged; the message contains file and byte
+     * @throws IllegalArgumentException if it is not a state, has another version or is damaged; the message names the
+     *     file and the byte
      */
     public static WorldState read(Path file) throws IOException {
         try {

@@ -94,7 +94,7 @@ public record Landscape(String name, String description, List<Thing> things) {
                 "post", new Vector3(POST_WIDTH, POST_WIDTH, POST_HEIGHT), new Vector3(x, y, POST_HEIGHT / 2), POST_KG);
     }
 
-    /** A slope that rises towards positive x, a level top, and steps down. */
+    /** Returns a slope that rises towards positive x, a level top, and steps down. */
     private static List<Thing> hill() {
         double radians = PortableMath.toRadians(SLOPE_DEGREES);
         double cosine = PortableMath.cos(radians);

@@ -41,12 +41,12 @@ final class MonitorConnection {
         return open;
     }
 
-    /** Whether the monitor has received all messages since its first full one. */
+    /** Returns whether the monitor has received all messages since its first full one. */
     boolean isUpToDate() {
         return upToDate;
     }
 
-    /** Whether the previous message has been sent completely. */
+    /** Returns whether the previous message has been sent completely. */
     boolean isReady() {
         return !encoder.isPending();
     }

@@ -235,7 +235,7 @@ public final class MonitorPort implements AutoCloseable {
         notifyAll();
     }
 
-    /** Reports each problem once. */
+    /** Reports a problem, but each one only once. */
     private void warn(String sentence) {
         if (warnings.size() < MAX_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);

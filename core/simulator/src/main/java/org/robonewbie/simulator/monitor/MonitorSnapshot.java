@@ -12,7 +12,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  *
  * @param game the state of the match
  * @param fouls fouls of the match in order; old ones may be omitted, because monitors receive only new ones
- * @param ballTransform transform of the ball, a 4 × 4 matrix in column-major order; not to be modified
+ * @param ballTransform transform of the ball, a 4 × 4 matrix in column-major order; must not be modified
  * @param things other objects on the pitch
  * @param robots all robots in the order of their connections
  */

@@ -14,9 +14,9 @@ import org.robonewbie.simulator.world.Robot;
  *
  * @param id id of the robot, unique while the simulator runs
  * @param type its robot type
- * @param player its team and number, empty before it joined a team
+ * @param player its team and number, empty before it joins a team
  * @param selected whether a trainer has selected it
- * @param transforms transforms of the links, 4 × 4 matrices in column-major order; not to be modified
+ * @param transforms transforms of the links, 4 × 4 matrices in column-major order; must not be modified
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record MonitoredRobotState(
@@ -29,7 +29,7 @@ public record MonitoredRobotState(
      *
      * @param id id of the robot
      * @param robot the robot
-     * @param player its team and number, empty before it joined a team
+     * @param player its team and number, empty before it joins a team
      * @param selected whether a trainer has selected it
      * @return its current state
      */

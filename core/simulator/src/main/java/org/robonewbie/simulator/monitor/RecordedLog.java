@@ -53,7 +53,7 @@ public final class RecordedLog {
      * Converts a recording to a log.
      *
      * @param recording the recording, before its first cycle
-     * @param log receives the log; closed at its end
+     * @param log receives the log; closed at the end
      * @throws DamagedRecordingException if the recording is damaged
      * @throws IOException if it cannot be read
      */

@@ -29,7 +29,7 @@ final class RobotMeshes {
         materialOfType = "matType" + typeNumber;
     }
 
-    /** The mesh of a link, and whether its file is modelled lying on its back. */
+    /** The mesh of a link, and whether the link lies on its back in the mesh file. */
     record Look(MeshNode mesh, boolean lying) {}
 
     Look look(Link link) {

@@ -22,7 +22,7 @@ final class SceneRotation {
         matrix = new float[] {1, 0, 0, 0, 0, cosine, sine, 0, 0, -sine, cosine, 0, 0, 0, 0, 1};
     }
 
-    /** Returns the 4 × 4 matrix, in column-major order, of a position and three rotations. */
+    /** Returns the 4 × 4 matrix, in column-major order, that combines a position and three rotations. */
     static float[] transform(float x, float y, float z, float degreesX, float degreesY, float degreesZ) {
         SceneRotation rotation = new SceneRotation(degreesX);
         rotation.rotate(Z, X, degreesY);

@@ -11,15 +11,15 @@ public interface Contact {
     /** {@return the other collider} */
     Collider second();
 
-    /** {@return the contact point in metres, from before the step} */
+    /** {@return the contact point in metres, as detected before the step} */
     Vector3 position();
 
     /**
-     * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction. It is zero
-     * before the step, for a trigger, and between sleeping bodies.
+     * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction.
+     * It is zero before the step, for a trigger, and between sleeping bodies.
      *
-     * @param sums seven elements, to which force, the position times the magnitude of the force, and the magnitude are
-     *     added, in newtons
+     * @param sums seven elements, in newtons and newton metres, to which are added: the force, the position times the
+     *     magnitude of the force, and that magnitude
      */
     void addTo(double[] sums);
 }

@@ -21,6 +21,8 @@ public record HingeDefinition(
     /** Fraction of an overshoot at a stop that is corrected per step (ODE: stop ERP). */
     public static final double STOP_ERROR_REDUCTION = 0.8;
 
-    /** Factor that reduces a motor torque that points away from the stop at which the hinge is (ODE: fudge factor). */
+    /**
+     * Factor that reduces a motor torque that points away from the stop that the hinge has reached (ODE: fudge factor).
+     */
     public static final double FUDGE_FACTOR = 1e-5;
 }

@@ -26,7 +26,7 @@ public record Material(
     public record Bounce(double restitution, double minimumVelocity) {}
 
     /**
-     * Combines two surfaces: each property is the mean of both values, or the only value given.
+     * Combines two surfaces: each property is the mean of both values or, if only one surface specifies it, that value.
      *
      * @param other the other surface
      * @return the properties of their contact

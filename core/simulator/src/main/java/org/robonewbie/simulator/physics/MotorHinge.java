@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.physics;
 
-/** Hinge with a motor that keeps a target speed within its torque limit. */
+/** Hinge with a motor that maintains a target speed within its torque limit. */
 public interface MotorHinge {
 
     /** {@return the angle of the child relative to the parent in radians, 0 in the pose in which the hinge was created} */

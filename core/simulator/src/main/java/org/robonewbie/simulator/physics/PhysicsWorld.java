@@ -9,8 +9,8 @@ import org.robonewbie.nao.state.Restorable;
  * <p>A step consists of {@link #findContacts()} and {@link #step}. Contacts are valid until the next {@code
  * findContacts()}. The same calls in the same order produce bit-identical results. A world need not be closed.
  *
- * <p>The state can be saved between two steps and restored in any world that was built by the same calls. After that there are
- * no contacts until the next {@code findContacts()}.
+ * <p>The state can be saved between two steps and restored in any world that was built by the same calls. After a
+ * restore, there are no contacts until the next {@code findContacts()}.
  *
  * <pre>{@code
  * world.findContacts();
@@ -20,7 +20,7 @@ import org.robonewbie.nao.state.Restorable;
  */
 public interface PhysicsWorld extends Restorable {
 
-    /** {@return a new empty assembly, such as for one robot, whose bodies do not collide with each other} */
+    /** {@return a new empty assembly, for example for one robot; its bodies do not collide with each other} */
     Assembly addAssembly();
 
     /**
@@ -46,7 +46,7 @@ public interface PhysicsWorld extends Restorable {
     void setGrip(double factor);
 
     /**
-     * Sets the executor of the following steps, if the engine supports parallel steps. Results stay bit-identical.
+     * Sets the executor for the following steps, if the engine supports parallel steps. Results stay bit-identical.
      *
      * @param crew executor
      */

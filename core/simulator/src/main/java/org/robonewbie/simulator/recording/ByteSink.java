@@ -3,7 +3,7 @@ package org.robonewbie.simulator.recording;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** A growable byte buffer for variable-length integers (LEB128) and texts. */
+/** A growable byte buffer for variable-length integers (LEB128) and strings. */
 final class ByteSink {
 
     private byte[] bytes = new byte[256];

@@ -11,9 +11,9 @@ import org.robonewbie.nao.model.RobotType;
  *
  * @param id id of the robot
  * @param type its robot type
- * @param side 0 without a team, 1 for the left team, 2 for the right team
- * @param number uniform number, 0 without a team
- * @param team name of its team, empty without a team
+ * @param side 0 if it has no team, 1 for the left team, 2 for the right team
+ * @param number uniform number, 0 if it has no team
+ * @param team name of its team, empty if it has no team
  */
 public record ListedRobot(int id, RobotType type, int side, int number, String team) {
 

@@ -68,7 +68,7 @@ final class RecordSink {
         }
     }
 
-    /** Sends all records since the last call to the target. */
+    /** Sends the target all records written since the previous call. */
     void send() {
         digest.update(records.bytes(), 0, records.length());
         target.write(records.bytes(), records.length());

@@ -99,7 +99,7 @@ public final class RecordingReader implements AutoCloseable {
     /**
      * Reads the next cycle.
      *
-     * @return the cycle; empty at the end of the recording, even in the middle of a cycle
+     * @return the cycle; empty at the end of the recording, even if it ends in the middle of a cycle
      * @throws DamagedRecordingException if the file is damaged
      * @throws IOException if it cannot be read
      */

@@ -52,7 +52,7 @@ public final class RecordingState {
         /**
          * Called for an event of the current cycle, before {@link #cycleEnded}.
          *
-         * @param text such as {@code goal left Stars}
+         * @param text the event, such as {@code goal left Stars}
          */
         void happened(String text);
 

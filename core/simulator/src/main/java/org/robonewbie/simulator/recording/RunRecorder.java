@@ -15,7 +15,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * Writes the recording of a run and collects the results for its report. Not thread-safe. Of the robots that have left,
- * it keeps the results of only the most recent ones, so that a long-running server uses a bounded amount of memory.
+ * only the most recent ones keep their results, so that a long-running server uses a bounded amount of memory.
  */
 public final class RunRecorder implements AutoCloseable {
 
@@ -136,7 +136,7 @@ public final class RunRecorder implements AutoCloseable {
         writer.close();
     }
 
-    /** The results of a robot. */
+    /** The results for a robot. */
     private record Entry(RobotStatistics statistics, String team, int number, long unansweredMessages) {
 
         static Entry of(RobotStatistics statistics, Participant participant) {
@@ -148,7 +148,7 @@ public final class RunRecorder implements AutoCloseable {
                     participant.unansweredMessages());
         }
 
-        /** Whether the entry is up to date for a participant. */
+        /** Returns whether the entry is up to date for a participant. */
         boolean isOf(Participant participant) {
             Optional<Player> player = participant.player();
             boolean samePlayer = player.isEmpty()

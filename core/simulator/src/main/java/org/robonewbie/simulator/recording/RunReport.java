@@ -19,8 +19,8 @@ import org.robonewbie.nao.model.NaoModel;
  * @param simulatedSeconds simulated duration
  * @param wallSeconds real duration
  * @param missedCycles number of 20 ms cycles by which the run fell behind real time; 0 in sync mode
- * @param robots the results of all robots
- * @param ball the results of the ball
+ * @param robots the results for all robots
+ * @param ball the results for the ball
  * @param goals all valid goals
  * @param recordingSha256 checksum of the uncompressed recording, equal for identical runs
  */
@@ -43,16 +43,16 @@ public record RunReport(
     }
 
     /**
-     * The results of one robot.
+     * The results for one robot.
      *
      * @param team name of its team
-     * @param number uniform number, 0 without a team
+     * @param number uniform number, 0 if it has no team
      * @param falls number of falls: after standing, the torso tilted by more than 60 degrees or sank below 0.2 m
-     * @param metresWalked walked distance, without swaying and beams
+     * @param metresWalked walked distance, excluding swaying and beams
      * @param position final position of the torso's centre in the world frame, metres
      * @param headingDegrees final heading, 0 along x towards the right goal, counter-clockwise
      * @param upright whether it stood at the end
-     * @param missedCycles number of messages that its agent did not answer before the next one
+     * @param missedCycles number of messages that its agent did not answer before the next one was sent
      * @param joints final angle of each joint in degrees
      */
     public record RobotResult(
@@ -73,7 +73,7 @@ public record RunReport(
     }
 
     /**
-     * The results of the ball.
+     * The results for the ball.
      *
      * @param position final position of its centre in the world frame, metres
      * @param metresMoved distance that it rolled and flew

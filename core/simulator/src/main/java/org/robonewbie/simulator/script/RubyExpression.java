@@ -16,7 +16,7 @@ final class RubyExpression {
             Pattern.compile("0[xX]\\p{XDigit}+(?:_\\p{XDigit}+)*|0[bB][01]+(?:_[01]+)*|0[oO_]?[0-7]+(?:_[0-7]+)*"
                     + "|(?:0|[1-9]\\d*(?:_\\d+)*)(?:\\.\\d+(?:_\\d+)*)?(?:[eE][-+]?\\d+(?:_\\d+)*)?");
 
-    /** Maximum length of an expression that is evaluated, which bounds the nesting of brackets. */
+    /** Maximum number of tokens in an evaluated expression, which bounds the nesting of brackets. */
     private static final int MAX_TOKENS = 200;
 
     private final List<RubyToken> tokens;

@@ -55,7 +55,7 @@ final class RubyLexer {
     /**
      * The tokens of a script.
      *
-     * @param all in script order
+     * @param all all tokens in script order
      * @param unfinishedLine line of an unterminated string at which the tokenizer stopped; empty if there is none
      */
     record Result(List<RubyToken> all, OptionalInt unfinishedLine) {}
@@ -123,7 +123,7 @@ final class RubyLexer {
         return true;
     }
 
-    /** Skips the bodies of the here-documents that started in the line just read. */
+    /** Skips the bodies of the here-documents that started on the line just read. */
     private void skipDocuments() {
         while (!documents.isEmpty()) {
             Matcher document = documents.remove();
@@ -183,7 +183,9 @@ final class RubyLexer {
         add(kind, content.toString(), Math.min(text.length(), i + 1));
     }
 
-    /** Returns whether a value may start here: after an operator, or after a word and a blank, as in {@code puts /x/}. */
+    /**
+     * Returns whether a value may start here: after an operator, or after a word and a space, as in {@code puts /x/}.
+     */
     private boolean isExpressionStart() {
         if (tokens.isEmpty()) {
             return true;
@@ -198,8 +200,8 @@ final class RubyLexer {
     }
 
     /**
-     * Returns whether a word is a call whose argument starts here: there is a blank before the current character but none
-     * after it, as in {@code puts /x/}.
+     * Returns whether a word is a call whose argument starts here: there is a space before the current character but
+     * none after it, as in {@code puts /x/}.
      */
     private boolean isCall(RubyToken word) {
         boolean blankBehind = at + 1 >= text.length() || Character.isWhitespace(text.charAt(at + 1));

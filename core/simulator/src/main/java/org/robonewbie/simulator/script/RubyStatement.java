@@ -153,7 +153,10 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             };
         }
 
-        /** Returns whether a definition is endless, such as {@code def half(x) = x / 2}; {@code def x=(value)} has an {@code end}. */
+        /**
+         * Returns whether a definition is endless, such as {@code def half(x) = x / 2}; in contrast, {@code def
+         * x=(value)} has an {@code end}.
+         */
         private boolean isShortDefinition(int index) {
             int name = index + 1;
             if (!script.get(index).isWord("def") || name >= script.size()) {

@@ -38,12 +38,12 @@ final class ScriptReader {
         this.console = console;
     }
 
-    /** The settings by their SimSpark names, in script order. */
+    /** Returns the settings by their SimSpark names, in script order. */
     Map<String, Object> values() {
         return values;
     }
 
-    /** The variables with known values. */
+    /** Returns the variables with known values. */
     Map<String, Object> variables() {
         return variables;
     }
@@ -112,7 +112,9 @@ final class ScriptReader {
                 && tokens.stream().noneMatch(token -> token.isWord("if") || token.isWord("unless"));
     }
 
-    /** Finds a script that another one runs: first in the folder of the other one, then in the working directory. */
+    /**
+     * Finds a script that another script runs: first in the folder of that other script, then in the working directory.
+     */
     Optional<Path> find(String script, Path other) {
         try {
             Path beside = Objects.requireNonNull(other.toAbsolutePath().getParent());

@@ -10,9 +10,7 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 
-/**
- * The settings supported in start scripts, and replacements for those settings of rcssserver3d that are not supported.
- */
+/** The settings supported in start scripts, and replacements for the unsupported settings of rcssserver3d. */
 final class SettingAdvice {
 
     private static final Set<String> TAKEN =

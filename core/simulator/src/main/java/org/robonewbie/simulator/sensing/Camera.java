@@ -79,7 +79,8 @@ public final class Camera implements Restorable {
      * @param observer the robot that carries the camera in its head
      * @param world the world with the ball
      * @param players all robots that belong to a team, in a fixed order, including the observer
-     * @param side the side of the observer's team, which determines the frame of the true positions; empty without a team
+     * @param side the side of the observer's team, which determines the frame of the true positions; empty if it has no
+     *     team
      * @return the detected objects; values are not rounded
      */
     public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {

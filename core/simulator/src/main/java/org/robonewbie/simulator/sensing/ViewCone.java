@@ -31,7 +31,7 @@ final class ViewCone {
         };
     }
 
-    /** Whether a point is visible. */
+    /** Returns whether a point is visible. */
     boolean contains(double x, double y, double z) {
         return y > 0
                 && Math.sqrt(x * x + y * y + z * z) > MIN_DISTANCE

@@ -19,7 +19,7 @@ import java.util.function.Consumer;
 import org.robonewbie.simulator.Console;
 
 /**
- * The selector for the agents' connections, which listens on one TCP port for all agents or on one endpoint per team. It
+ * The selector for the agents' connections. It listens on one TCP port for all agents or on one endpoint per team, and
  * is confined to the simulation thread; other threads may only call {@link #wakeUp}.
  */
 final class AgentPort implements AutoCloseable {
@@ -39,7 +39,7 @@ final class AgentPort implements AutoCloseable {
     /** A listening socket for the agents of one team, or of all teams. */
     private record Listener(ServerSocketChannel channel, Optional<TeamEndpoint> endpoint) {
 
-        /** The TCP port, 0 for a Unix domain socket. */
+        /** Returns the TCP port; 0 for a Unix domain socket. */
         int number() {
             try {
                 return channel.getLocalAddress() instanceof InetSocketAddress internet ? internet.getPort() : 0;
@@ -92,7 +92,7 @@ final class AgentPort implements AutoCloseable {
         channel.register(selector, SelectionKey.OP_ACCEPT, listener);
     }
 
-    /** Returns the TCP port for the agents of a team, or for all if empty; 0 if there is none. */
+    /** Returns the TCP port for the agents of a team, or for all agents if no team is given; 0 if there is none. */
     int number(Optional<String> team) {
         return listeners.stream()
                 .filter(listener -> listener.endpoint().map(TeamEndpoint::team).equals(team))

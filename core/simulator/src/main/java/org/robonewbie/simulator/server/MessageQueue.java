@@ -69,7 +69,7 @@ final class MessageQueue {
         return closed;
     }
 
-    /** Whether the queue is closed and empty. */
+    /** Returns whether the queue is closed and empty. */
     synchronized boolean isExhausted() {
         return closed && count == 0;
     }

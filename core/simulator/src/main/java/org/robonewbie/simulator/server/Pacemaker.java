@@ -77,12 +77,12 @@ final class Pacemaker {
         sleepUntil.accept(due);
     }
 
-    /** Number of cycles by which the simulation has fallen behind real time. */
+    /** Returns the number of cycles by which the simulation has fallen behind real time. */
     long missedCycles() {
         return missedCycles;
     }
 
-    /** Simulated seconds per real second, measured over the last second. */
+    /** Returns the simulated seconds per real second, measured over the last second. */
     double realTimeFactor() {
         return realTimeFactor;
     }

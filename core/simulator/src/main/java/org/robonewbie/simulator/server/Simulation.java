@@ -158,8 +158,8 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     /**
-     * Whether a closing simulation may end. Unless it is paused, the last messages of agents that have left are executed
-     * first.
+     * Returns whether a closing simulation may end. Unless it is paused, the last messages of agents that have left are
+     * executed first.
      */
     private boolean isFinished() {
         acceptor.receiveAll();
@@ -216,7 +216,7 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Whether the awaited agents are connected and, in sync mode, all agents have answered. */
+    /** Returns whether the awaited agents are connected and, in sync mode, all agents have answered. */
     private boolean isReady() {
         int awaited = settings.agents().awaited();
         if (begun) {

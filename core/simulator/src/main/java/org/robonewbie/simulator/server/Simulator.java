@@ -80,7 +80,7 @@ public final class Simulator implements AutoCloseable {
      * Returns whether an agent that connected through a team's endpoint was disconnected because it blocked sync mode.
      *
      * @param team the team
-     * @return whether one was
+     * @return whether any was
      */
     public boolean wasSilent(String team) {
         return simulation.wasSilent(team);

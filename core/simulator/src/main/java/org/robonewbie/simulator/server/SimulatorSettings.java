@@ -17,8 +17,8 @@ import org.robonewbie.simulator.monitor.MonitorSettings;
  * }</pre>
  *
  * @param world pitch, rules, noise, seed, and whether cycles wait for agents
- * @param agents the connections of agents
- * @param monitors the connections of monitors
+ * @param agents settings for agent connections
+ * @param monitors settings for monitor connections
  * @param speed simulated seconds per real second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
  * @param seconds simulated seconds after which the simulation ends; infinite to run until it is closed
  * @param output the files to write
@@ -39,9 +39,10 @@ public record SimulatorSettings(
     public static final String LOCALHOST = "127.0.0.1";
 
     /**
-     * Settings for the connections of agents.
+     * Settings for agent connections.
      *
-     * @param bindAddress local address to listen on, such as 127.0.0.1 for this computer only or 0.0.0.0 for all interfaces
+     * @param bindAddress local address to listen on, such as 127.0.0.1 for this computer only or 0.0.0.0 for all
+     *     interfaces
      * @param port TCP port for agents, 0 for any free port; ignored if there are team endpoints
      * @param endpoints an endpoint for each team, or empty for one port for all agents
      * @param awaited number of agents that must have sent a message before the first cycle
@@ -57,7 +58,7 @@ public record SimulatorSettings(
     }
 
     /**
-     * Settings for the connections of monitors.
+     * Settings for monitor connections.
      *
      * @param port TCP port for monitors and trainers, 0 for any free port; empty to open none
      * @param stepSeconds simulated seconds between two messages to monitors, at least 0.02
@@ -92,7 +93,7 @@ public record SimulatorSettings(
     }
 
     /**
-     * Changes the connections of agents.
+     * Changes the settings for agent connections.
      *
      * @param value the new settings
      * @return a changed copy
@@ -123,7 +124,7 @@ public record SimulatorSettings(
     }
 
     /**
-     * Changes the connections of monitors.
+     * Changes the settings for monitor connections.
      *
      * @param value the new settings
      * @return a changed copy

@@ -11,8 +11,8 @@ import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
  * Reports agents that block sync mode and disconnects those in other processes after a timeout. For a new agent, which
- * has answered for less than a simulated second, the timeout is about a third. It is halved whenever a new agent is
- * disconnected, so that a client that reconnects repeatedly delays the other agents only briefly.
+ * has answered for less than a simulated second, the timeout is about a third as long. It is halved whenever a new
+ * agent is disconnected, so that a client that reconnects repeatedly delays the other agents only briefly.
  */
 final class StalledAgentWatch {
 
@@ -66,7 +66,7 @@ final class StalledAgentWatch {
         }
     }
 
-    /** Teams with an endpoint that have had an agent disconnected. Thread-safe. */
+    /** Returns the teams with an endpoint that have had an agent disconnected. Thread-safe. */
     Set<String> silentTeams() {
         return silentTeams;
     }

@@ -110,10 +110,10 @@ public abstract class SyntheticPlayer implements Runnable {
     protected void received(MessageBuffer perceptors) {}
 
     /**
-     * Returns whether the player still beams.
+     * Returns whether the match has not started yet, so that the player still beams to its position.
      *
      * @param seconds simulated seconds since it joined
-     * @return whether the match has not started yet
+     * @return whether to beam instead of moving
      */
     protected abstract boolean isBeforeKickOff(double seconds);
 

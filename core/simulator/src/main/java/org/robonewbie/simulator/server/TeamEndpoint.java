@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * A listening socket for the agents of one team. Their robots join this team whichever name they request, so that no
- * program can play for another team.
+ * A listening socket for the agents of one team. Their robots join this team regardless of the name they request, so
+ * that no program can play for another team.
  *
  * @param team the team
  * @param robots maximum number of the team's agents that count as awaited agents

@@ -74,7 +74,7 @@ final class BallTracker implements Memory {
         return lastTouch;
     }
 
-    /** Player that touched the ball last, if the touch was after a given tick. */
+    /** Returns the player that last touched the ball, if the touch was after a given tick. */
     Optional<Player> touchedAfter(long tick) {
         return lastTouch.filter(touch -> touch.tick() > tick).map(Touch::player);
     }
@@ -103,8 +103,8 @@ final class BallTracker implements Memory {
     }
 
     /**
-     * Whether the ball is behind the goal line and crossed it inside the goal, judging by its position and velocity.
-     * Detects goals by a ball that is too fast for the contact test.
+     * Returns whether the ball is behind the goal line and crossed it inside the goal, judging by its position and
+     * velocity. Detects a goal if the ball is too fast for the contact test.
      */
     private boolean hasCrossedGoalLine(TeamSide side) {
         double sign = side == TeamSide.LEFT ? -1 : 1;

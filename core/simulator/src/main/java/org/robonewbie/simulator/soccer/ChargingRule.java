@@ -83,8 +83,8 @@ final class ChargingRule implements FoulRule {
     }
 
     /**
-     * Whether a robot may be guilty: it approached the opponent rather than the ball, or came later to the ball, or both
-     * were far from the ball.
+     * Returns whether a robot may be guilty: it approached the opponent rather than the ball, or would have reached the
+     * ball later, or both robots were far from the ball.
      */
     private boolean isCandidate(Approach robot, Approach other) {
         double range = parameters.get(SoccerParameter.CHARGING_MAX_BALL_RULES_DISTANCE);
@@ -103,7 +103,7 @@ final class ChargingRule implements FoulRule {
                 && robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED);
     }
 
-    /** Whether a robot is expected to reach the ball later than the other one. */
+    /** Returns whether a robot is expected to reach the ball later than the other one. */
     private boolean isLater(Approach robot, Approach other) {
         boolean farther = robot.ballDistance()
                 > other.ballDistance() + parameters.get(SoccerParameter.CHARGING_MIN_DELTA_DISTANCE);
@@ -129,7 +129,7 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** In keep-away, the right team is never punished for charging. */
+    /** Returns whether a player is on the right team in keep-away; that team is never punished for charging. */
     private boolean isKeepawayHunter(Player player) {
         return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }

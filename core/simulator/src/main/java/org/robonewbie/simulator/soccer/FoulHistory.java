@@ -56,7 +56,7 @@ final class FoulHistory implements Memory {
         velocityIndex = (velocityIndex + 1) % VELOCITIES;
     }
 
-    /** Mean horizontal velocity of the last three ticks. */
+    /** Returns the mean horizontal velocity over the last three ticks. */
     Vector3 velocity() {
         Vector3 sum = Vector3.ZERO;
         for (Vector3 velocity : velocities) {
@@ -116,7 +116,7 @@ final class FoulHistory implements Memory {
         return ballTick;
     }
 
-    /** Grants immunity from charging as after a touch of the ball. */
+    /** Grants immunity from charging, as a touch of the ball does. */
     void protectFromCharging(long tick) {
         immuneFromChargingTick = tick;
     }
@@ -138,7 +138,7 @@ final class FoulHistory implements Memory {
         return areaEntryTick;
     }
 
-    /** Players of the contact group that this player belonged to in the last tick. */
+    /** Returns the players in the contact group that this player belonged to in the last tick. */
     Set<Player> touched() {
         return touched;
     }

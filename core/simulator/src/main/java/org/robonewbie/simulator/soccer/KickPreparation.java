@@ -33,7 +33,9 @@ final class KickPreparation {
         return match.state().modeSeconds() < pauseSeconds;
     }
 
-    /** Whether the time limit for a kick has expired, so that the ball must be dropped. A limit of 0 disables this. */
+    /**
+     * Returns whether the time limit for a kick has expired and the ball must be dropped. A limit of 0 disables this.
+     */
     static boolean isLate(Match match) {
         double limit = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);
         return limit > 0 && match.state().modeSeconds() > limit;

@@ -98,7 +98,7 @@ public final class Match implements Restorable {
                 || state.playMode() == PlayMode.GOAL_RIGHT;
     }
 
-    /** {@return whether the simulator should exit: ten seconds after the game with {@code AutomaticQuit}} */
+    /** {@return whether the simulator should exit: ten seconds after the game if {@code AutomaticQuit} is on} */
     public boolean isProgramOver() {
         return state.playMode() == PlayMode.GAME_OVER
                 && parameters.isOn(SoccerParameter.AUTOMATIC_QUIT)
@@ -143,7 +143,7 @@ public final class Match implements Restorable {
         kickOff(side);
     }
 
-    /** Drops the ball at its position and moves robots away from it. */
+    /** Drops the ball at its current position and moves robots away from it. */
     public void dropBall() {
         dropBall(ball.position());
     }
@@ -241,7 +241,7 @@ public final class Match implements Restorable {
         player.robot().moveTo(player.position().plus(new Vector3(x, 0, 0)));
     }
 
-    /** Whether there are robots, with or without a team. */
+    /** Returns whether there are robots, with or without a team. */
     boolean hasRobots() {
         return !world.robots().isEmpty();
     }
@@ -298,7 +298,7 @@ public final class Match implements Restorable {
         return teams.team(side).map(Team::players).orElse(List.of());
     }
 
-    /** Position of the ball's centre on the centre spot. */
+    /** Returns the position of the ball's centre on the centre spot. */
     Vector3 centreSpot() {
         return new Vector3(0, 0, ball.radius());
     }
@@ -319,14 +319,16 @@ public final class Match implements Restorable {
         setPiece = newSetPiece;
     }
 
-    /** Whether the rules for indirect kicks and double touches apply: only in a match with more than two robots. */
+    /**
+     * Returns whether the rules for indirect kicks and double touches apply: only in a match with more than two robots.
+     */
     boolean hasKickRules() {
         return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
                 && !shootout
                 && players().size() > 2;
     }
 
-    /** Whether this is a penalty shoot-out, which ends with the first goal. */
+    /** Returns whether this is a penalty shoot-out, which ends with the first goal. */
     boolean isShootout() {
         return shootout;
     }

@@ -23,7 +23,7 @@ public final class MatchState {
     }
 
     /**
-     * {@return the game time in seconds; it is stopped before a kick-off and after the game, and is not reset at
+     * {@return the game time in seconds; the clock is stopped before a kick-off and after the game, and is not reset at
      * half-time}
      */
     public double playSeconds() {

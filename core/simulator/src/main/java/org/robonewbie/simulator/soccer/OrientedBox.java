@@ -8,14 +8,14 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * Oriented bounding box with a separating axis test.
  *
- * <p>As in SimSpark ({@code boxcollider.cpp}), the cross products of two edges are not normalised. Nearly parallel edges
- * yield an axis of nearly zero length, along which the boxes count as separated. Boxes that are rotated relative to each
- * other about a single common axis therefore never overlap.
+ * <p>As in SimSpark ({@code boxcollider.cpp}), the cross products of two edges are not normalised. Nearly parallel
+ * edges yield an axis of nearly zero length, along which the boxes count as separated. Boxes that are rotated relative
+ * to each other about a single common axis therefore never overlap.
  *
- * @param centre centre
- * @param x half edge along the box's x axis
- * @param y half edge along the box's y axis
- * @param z half edge along the box's z axis
+ * @param centre centre in the world frame
+ * @param x half of the edge along the box's x axis, as a vector in the world frame
+ * @param y half of the edge along the box's y axis, as a vector in the world frame
+ * @param z half of the edge along the box's z axis, as a vector in the world frame
  */
 record OrientedBox(Vector3 centre, Vector3 x, Vector3 y, Vector3 z) {
 

@@ -11,9 +11,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/**
- * Pass mode of one team and the time after it in which the team may not score (since rcssserver3d 0.7.2).
- */
+/** Pass mode of one team, and the period after it during which the team may not score (since rcssserver3d 0.7.2). */
 final class PassMode implements Memory {
 
     private static final double AWAY_DISTANCE = 1.0;
@@ -43,7 +41,7 @@ final class PassMode implements Memory {
         start = ball();
     }
 
-    /** Ends pass mode and starts the time in which the team may not score. */
+    /** Ends pass mode and starts the period during which the team may not score. */
     void end() {
         lastTick = match.currentTick();
         lockedUntil = lastTick + PortableMath.round(get(SoccerParameter.PASS_MODE_SCORE_WAIT_TIME) / Cycle.SECONDS);
@@ -74,7 +72,7 @@ final class PassMode implements Memory {
         return match.currentTick() < lockedUntil;
     }
 
-    /** Remaining time in which the team may not score, in seconds. */
+    /** Returns the remaining time, in seconds, during which the team may not score. */
     double lockedSeconds() {
         return isLocked() ? (lockedUntil - match.currentTick()) * Cycle.SECONDS : 0;
     }

@@ -7,7 +7,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Rules of all play modes. */
+/** Rules for all play modes. */
 final class PlayModeRules implements Memory {
 
     private final Map<PlayMode, PlayModeRule> rules = new EnumMap<>(PlayMode.class);

@@ -76,7 +76,10 @@ final class PlayOnRule implements PlayModeRule {
                         .isPresent();
     }
 
-    /** Whether a player of the right team has left its penalty area, which is not allowed in a penalty shoot-out. */
+    /**
+     * Returns whether a player of the right team has left its penalty area, which is not allowed in a penalty
+     * shoot-out.
+     */
     private boolean hasKeeperLeftDuringShootout() {
         Area area = match.penaltyArea(TeamSide.RIGHT);
         return match.isShootout()

@@ -66,7 +66,7 @@ public final class Player {
         return number == 1;
     }
 
-    /** Whether the robot's bounding box is within a distance of a point, in metres. */
+    /** Returns whether the robot's bounding box is within a distance of a point, in metres. */
     boolean isWithin(double distance, Vector3 point) {
         BoundingBox box = robot().boundingBox();
         double x = gap(point.x(), box.min().x(), box.max().x());

@@ -36,50 +36,50 @@ public enum SoccerParameter {
     /** Distance to which the kicking team is moved when the ball is placed. */
     KICK_REPEL_DISTANCE(
             "KickRepelDist", 0.5, 0.5, "metres that the kicking team is moved away when the ball is placed"),
-    /** Position of the goal kick. */
+    /** Distance of the goal kick from the goal line. */
     GOAL_KICK_DISTANCE("GoalKickDist", 1, 1, "metres from the goal line to the goal kick"),
     /** Width of the border around the pitch. */
     BORDER_SIZE("BorderSize", 0, 0, "metres, only sent to monitors"),
-    /** Automatic kick-off. */
+    /** Whether the match starts automatically, without a referee. */
     AUTOMATIC_KICK_OFF("AutomaticKickOff", false, true, "whether the match starts without a referee"),
-    /** Delay of the automatic kick-off. */
+    /** Time from the first agent to the automatic kick-off. */
     WAIT_BEFORE_KICK_OFF("WaitBeforeKickOff", 30, 0, "seconds from the first agent to the automatic kick-off"),
-    /** Coin toss for the first kick-off. */
+    /** Whether a coin toss decides which team has the first kick-off. */
     COIN_TOSS_FOR_KICK_OFF(
             "CoinTossForKickOff",
             false,
             false,
             "whether a coin toss decides the first kick-off; otherwise the left team has it"),
-    /** Penalty shoot-out. */
+    /** Whether the match is a penalty shoot-out. */
     PENALTY_SHOOTOUT("PenaltyShootout", false, false, "whether the left team shoots at a lone goalkeeper"),
-    /** Free start positions. */
+    /** Whether robots may start in the opponents' half. */
     START_ANY_FIELD_POSITION(
             "StartAnyFieldPosition", false, true, "whether robots may be beamed into the opponents' half"),
-    /** Automatic exit after the match. */
+    /** Whether the simulator exits after the match. */
     AUTOMATIC_QUIT("AutomaticQuit", false, false, "whether the simulator exits ten seconds after the match"),
-    /** Change of sides at half-time. */
+    /** Whether the teams change sides at half-time. */
     CHANGE_SIDES_IN_SECOND_HALF("ChangeSidesInSecondHalf", false, false, "whether the teams change sides at half-time"),
-    /** Keep-away instead of soccer. */
+    /** Whether keep-away is played instead of soccer. */
     KEEPAWAY("Keepaway", false, false, "whether the left team only has to keep the ball inside a shrinking area"),
-    /** Centre of the keep-away area. */
+    /** The x coordinate of the centre of the keep-away area. */
     KEEPAWAY_CENTER_X("KeepawayCenterX", 0, 0, "metres"),
-    /** Centre of the keep-away area. */
+    /** The y coordinate of the centre of the keep-away area. */
     KEEPAWAY_CENTER_Y("KeepawayCenterY", 0, 0, "metres"),
     /** Initial length of the keep-away area. */
     KEEPAWAY_LENGTH("KeepawayLength", 20, 8, "initial metres along x"),
     /** Initial width of the keep-away area. */
     KEEPAWAY_WIDTH("KeepawayWidth", 20, 8, "initial metres along y"),
-    /** Rate at which the keep-away area shrinks. */
+    /** Rate at which the length of the keep-away area shrinks. */
     KEEPAWAY_LENGTH_REDUCTION_RATE("KeepawayLengthReductionRate", 4, 4, "metres per minute"),
-    /** Rate at which the keep-away area shrinks. */
+    /** Rate at which the width of the keep-away area shrinks. */
     KEEPAWAY_WIDTH_REDUCTION_RATE("KeepawayWidthReductionRate", 4, 4, "metres per minute"),
     /** Nominal radius of a robot. */
     AGENT_RADIUS("AgentRadius", 0.4, 0.4, "metres: torso height of a beamed robot and space for a moved robot"),
-    /** Maximum number of robots of one type. */
+    /** Maximum number of robots of one type in a team. */
     MAX_ROBOT_TYPE_COUNT("MaxRobotTypeCount", 7, 11, "maximum number of robots of one type in a team"),
-    /** Minimum number of robot types. */
+    /** Minimum number of robot types in a full team. */
     MIN_ROBOT_TYPES_COUNT("MinRobotTypesCount", 3, 1, "minimum number of robot types in a full team"),
-    /** Maximum number of robots of two types. */
+    /** Maximum number of robots of any two types in a team. */
     MAX_SUM_TWO_ROBOT_TYPES("MaxSumTwoRobotTypes", 9, 11, "maximum number of robots of any two types in a team"),
     /** Radius of the ball. */
     BALL_RADIUS("BallRadius", SoccerField.BALL_RADIUS, SoccerField.BALL_RADIUS, "metres"),
@@ -93,16 +93,16 @@ public enum SoccerParameter {
     RULE_HALF_TIME("RuleHalfTime", 300, 1800, "seconds of a half"),
     /** Time limit of a set piece. */
     RULE_DROP_BALL_TIME("RuleDropBallTime", 15, 15, "seconds until the ball is dropped if a set piece is not taken"),
-    /** Single half. */
+    /** Whether the match ends after one half. */
     SINGLE_HALF_TIME("SingleHalfTime", false, true, "whether the match ends after one half"),
-    /** Offside; not implemented. */
+    /** Whether the offside rule applies; not implemented. */
     USE_OFFSIDE("UseOffside", false, false, "without effect, as in rcssserver3d"),
-    /** Maximum number of robots in contact. */
+    /** Maximum number of robots that may be in contact with each other. */
     MAX_TOUCH_GROUP_SIZE("MaxTouchGroupSize", 2, 1000, "maximum number of robots that may touch each other"),
     /** Whether a touching foul is penalised by removal from the pitch. */
     TOUCHING_FOUL_BEAM_PENALTY(
             "TouchingFoulBeamPenalty", false, false, "whether a touching foul removes the robot from the pitch"),
-    /** Charging foul. */
+    /** Whether charging is a foul. */
     USE_CHARGING("UseCharging", true, false, "whether running into an opponent is a foul"),
     /** Minimum speed of a charging robot. */
     CHARGING_MIN_SPEED("ChargingMinSpeed", 0.4, 0.4, "metres per second"),
@@ -112,7 +112,7 @@ public enum SoccerParameter {
     /** Charging: minimum difference between the robots' distances from the ball. */
     CHARGING_MIN_DELTA_DISTANCE(
             "ChargingMinDeltaDist", 0.05, 0.05, "metres by which one robot is farther from the ball"),
-    /** Charging: minimum difference between the robots' directions of motion. */
+    /** Charging: minimum difference between the angles at which the robots approach each other. */
     CHARGING_MIN_DELTA_ANGLE("ChargingMinDeltaAng", 15, 15, "degrees"),
     /** Time of immunity from charging after a touch of the ball. */
     CHARGING_IMMUNITY_TIME("ChargingImmunityTime", 1, 1, "seconds of immunity after a touch of the ball"),
@@ -126,20 +126,20 @@ public enum SoccerParameter {
     CHARGING_MIN_COLLISION_SPEED("ChargingMinCollisionSpeed", 0.2, 0.2, "metres per second towards the collision"),
     /** Overlap of two links below which there is no self-collision. */
     SELF_COLLISIONS_TOLERANCE("SelfCollisionsTolerance", 0.04, 0.04, "metres that two links may overlap"),
-    /** Console messages about self-collisions. */
+    /** Whether the console reports self-collisions. */
     PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether the console reports self-collisions"),
-    /** Self-collision foul. */
+    /** Whether a self-collision is a foul. */
     FOUL_ON_SELF_COLLISIONS("FoulOnSelfCollisions", true, false, "whether a self-collision is a foul"),
-    /** Duration of the usual penalty for self-collision: frozen joints. */
+    /** Time for which joints are frozen after a self-collision. */
     SELF_COLLISION_JOINT_FROZEN_TIME("SelfCollisionJointFrozenTime", 1, 1, "seconds for which the joints are frozen"),
-    /** Time of immunity after the penalty for self-collision. */
+    /** Time for which joints are immune after they were frozen. */
     SELF_COLLISION_JOINT_THAW_TIME("SelfCollisionJointThawTime", 2, 2, "seconds until the joints can be frozen again"),
-    /** Alternative penalty for self-collision: removal from the pitch. */
+    /** Whether a self-collision is penalised by removal from the pitch. */
     SELF_COLLISION_BEAM_PENALTY(
             "SelfCollisionBeamPenalty", false, false, "whether a self-collision removes the robot from the pitch"),
     /** Minimum time between two removals for self-collision. */
     SELF_COLLISION_BEAM_COOLDOWN_TIME("SelfCollisionBeamCooldownTime", 10, 10, "seconds between two such penalties"),
-    /** Log file of self-collisions. */
+    /** Whether self-collisions are written to a file; not implemented. */
     WRITE_SELF_COLLISIONS_TO_FILE(
             "WriteSelfCollisionsToFile", false, false, "without effect; self-collisions are in the recording"),
     /** Time limit for a robot that is not standing. */
@@ -156,21 +156,21 @@ public enum SoccerParameter {
     /** Whether illegal defence is penalised by removal from the pitch. */
     ILLEGAL_DEFENSE_BEAM_PENALTY(
             "IllegalDefenseBeamPenalty", false, false, "whether illegal defence removes the robot from the pitch"),
-    /** Crowding: the distance between ball and opponent below which it is called. */
+    /** Crowding: distance between ball and opponent below which the foul is called. */
     MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is called"),
     /** Crowding: distance that a team's second robot must keep from the ball. */
     MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that the second robot of a team keeps from the ball"),
     /** Crowding: distance that a team's third robot must keep from the ball. */
     MIN_THIRD_PLAYER_DISTANCE("Min3PlDistance", 0, 0, "metres that the third robot of a team keeps from the ball"),
-    /** Duration of a penalty. */
+    /** Time for which a punished robot is held in the air. */
     FOUL_HOLD_TIME("FoulHoldTime", 0.5, 0.5, "seconds for which a punished robot is held in the air"),
-    /** Score in perceptor messages. */
+    /** Whether perceptor messages contain the score. */
     REPORT_SCORE("ReportScore", true, true, "whether agents receive the score"),
-    /** Team names in heard messages. */
+    /** Whether a heard message contains the name of the speaker's team. */
     LABEL_MESSAGES("LabelMessages", true, true, "whether a heard message contains the team of the speaker"),
-    /** Position noise of a beam. */
+    /** Maximum position error of a beam. */
     BEAM_NOISE_XY("BeamNoiseXY", 0.05, 0, "maximum position error of a beam in metres"),
-    /** Angle noise of a beam. */
+    /** Maximum angle error of a beam. */
     BEAM_NOISE_ANGLE("BeamNoiseAngle", 10, 0, "maximum angle error of a beam in degrees"),
     /** Maximum number of positions that are tried when a robot is moved. */
     MAX_NUM_SAFE_REPOSITION_ATTEMPTS(
@@ -187,9 +187,9 @@ public enum SoccerParameter {
     PASS_MODE_SCORE_WAIT_TIME("PassModeScoreWaitTime", 10, 10, "seconds"),
     /** Pass mode: time before a team can request it again. */
     PASS_MODE_RETRY_WAIT_TIME("PassModeRetryWaitTime", 3, 3, "seconds"),
-    /** Rules for indirect kicks and double touches; always on in rcssserver3d. */
+    /** Whether the rules for indirect kicks and double touches apply; they always do in rcssserver3d. */
     FREE_KICK_RULES("FreeKickRules", true, false, "whether indirect goals and double touches are judged"),
-    /** Time in which a new robot may be beamed during play; not in rcssserver3d. */
+    /** Time during which a new robot may be beamed during play; not in rcssserver3d. */
     BEAM_GRACE_TIME("BeamGraceTime", 0, 2, "seconds after joining in which a robot may be beamed in any play mode");
 
     private final String simSparkName;
@@ -256,7 +256,7 @@ public enum SoccerParameter {
      * Suggests the parameter with the most similar name.
      *
      * @param name a misspelt name
-     * @return a blank and a sentence, see {@link Spelling#question}
+     * @return a space and a sentence, see {@link Spelling#question}
      */
     public static String question(String name) {
         return Spelling.question(

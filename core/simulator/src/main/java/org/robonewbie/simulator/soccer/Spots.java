@@ -45,7 +45,10 @@ final class Spots {
         return at(match, spot.x(), Math.max(-limit, Math.min(limit, spot.y())));
     }
 
-    /** Waiting position of a player beside the pitch, on the side away from the ball; each number has its own. */
+    /**
+     * Returns the waiting position of a player beside the pitch, on the side away from the ball; each number has its
+     * own.
+     */
     static Vector3 besidePitch(Match match, Player player) {
         double x = SPACING_BESIDE_PITCH * (NUMBER_AT_HALFWAY_LINE - player.number());
         double y = match.field().width() / 2 + DISTANCE_BESIDE_PITCH;

@@ -64,7 +64,7 @@ final class TouchingRule implements FoulRule {
         groups.add(joined);
     }
 
-    /** Whether a contact is between feet or toes; as in rcssserver3d, such contacts do not count. */
+    /** Returns whether a contact is between feet or toes; as in rcssserver3d, such contacts do not count. */
     private static boolean isBetweenFeet(RobotContact contact) {
         return isFoot(contact.first().name()) && isFoot(contact.second().name());
     }

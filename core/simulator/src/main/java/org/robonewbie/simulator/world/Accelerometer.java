@@ -7,7 +7,10 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Accelerometer: proper acceleration from the change of velocity in one step (SimSpark: {@code accelerometer.cpp}). */
+/**
+ * Accelerometer that computes the proper acceleration from the change of velocity in one step (SimSpark: {@code
+ * accelerometer.cpp}).
+ */
 final class Accelerometer implements Restorable {
 
     private static final double GRAVITY = -9.81;

@@ -5,8 +5,8 @@ import org.robonewbie.nao.SoccerField;
 /**
  * Radius and mass of a ball.
  *
- * @param radius in metres
- * @param massKg in kilograms
+ * @param radius radius in metres
+ * @param massKg mass in kilograms
  */
 public record BallProperties(double radius, double massKg) {
 

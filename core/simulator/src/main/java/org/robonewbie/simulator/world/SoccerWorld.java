@@ -118,7 +118,7 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Sets the executor of the next steps. Results stay bit-identical.
+     * Sets the executor for the following steps. Results stay bit-identical.
      *
      * @param crew executor; initially {@link Crew#ALONE}
      */
@@ -139,7 +139,7 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * {@return the links that touched the ball in the last step, only the first one of each robot, in the order of the
+     * {@return for each robot that touched the ball in the last step, the first link that did, in the order of the
      * contacts}
      */
     public List<RobotPart> ballTouches() {

@@ -81,7 +81,9 @@ public final class Hints {
             return place.strip();
         }
 
-        /** Returns whether the diagnostic is about an unknown variable, which the compiler also takes for a package. */
+        /**
+         * Returns whether the diagnostic is about an unknown variable, which the compiler also mistakes for a package.
+         */
         private boolean isUnknownVariable() {
             return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
         }
@@ -188,7 +190,7 @@ public final class Hints {
         return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");
     }
 
-    /** Returns the framework class in which the compiler has looked for a method. */
+    /** Returns the framework class in which the compiler looked for a method. */
     private Optional<String> owner(Remark remark) {
         Matcher place = OWNER.matcher(remark.text());
         return place.find() ? Optional.of(place.group(1)).filter(names.types()::containsKey) : Optional.empty();

@@ -16,8 +16,8 @@ import java.util.TimerTask;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A running program with all of its descendant processes, which are killed together. Output is read as it arrives; resource use
- * is checked against the limits ten times per second.
+ * A running program and all of its descendant processes, which are killed together. Output is read as it arrives;
+ * resource use is checked against the limits ten times per second.
  */
 public final class ChildProcess implements AutoCloseable {
 
@@ -210,7 +210,7 @@ public final class ChildProcess implements AutoCloseable {
         return excess.isPresent() || isRunning() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
     }
 
-    /** Kills the program and its descendants. Output captured until then can still be read. */
+    /** Kills the program and its descendants. The output captured so far can still be read. */
     @Override
     public void close() {
         timer.cancel();

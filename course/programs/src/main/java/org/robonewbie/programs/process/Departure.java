@@ -4,8 +4,9 @@ package org.robonewbie.programs.process;
  * Reason why a robot of a {@link RobotProcess} has left.
  *
  * @param cause the cause
- * @param text the exception, the line of an endless loop, the reason for slowness or the exit code, depending on the cause; may be empty
- * @param advice what to do, if that depends on the program; otherwise empty
+ * @param text the exception, the line of an endless loop, the reason for slowness or the exit code, depending on the
+ *     cause; may be empty
+ * @param advice what to do about it, if that depends on the program; otherwise empty
  */
 public record Departure(Cause cause, String text, String advice) {
 
@@ -19,7 +20,7 @@ public record Departure(Cause cause, String text, String advice) {
         THROWN,
         /** A step of the program did not return. */
         ENDLESS,
-        /** The steps of the program slept or waited for too long. */
+        /** The program slept or waited for too long in its steps. */
         IDLE,
         /** The process exited. */
         EXIT,

@@ -16,8 +16,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * Controller whose commands come from an agent in another process, which uses the protocol of the simulator. The agent's
- * commands that create a robot, join a team or beam are ignored, because the trial has already created the robot.
+ * Controller that receives its commands from an agent in another process. The agent uses the simulator's protocol, but
+ * its commands to create a robot, join a team or beam are ignored, because the trial has already created the robot.
  */
 final class GuestController implements Controller {
 

@@ -31,7 +31,7 @@ final class LinuxProcess {
         return entries(PROCESSES.resolve(pid + "/task")).stream()
                 .map(thread -> read(thread.resolve("stat")))
                 .anyMatch(stat -> {
-                    int state = stat.lastIndexOf(')') + 2; // after the name, which may contain any character
+                    int state = stat.lastIndexOf(')') + 2; // follows the name, which may contain any character
                     return state < stat.length() && "RD".indexOf(stat.charAt(state)) >= 0;
                 });
     }

@@ -139,7 +139,10 @@ public final class ProgramMain {
         return new StudentsAgents(types);
     }
 
-    /** Rejects programs that extend the example team, which would solve exercises that require the students' own ideas. */
+    /**
+     * Rejects programs that extend the example team, because it would solve exercises that require the students' own
+     * ideas.
+     */
     private static void rejectExampleTeam(Class<?> program) {
         for (Class<?> type = program; type != null; type = type.getSuperclass()) {
             if (type.getName().startsWith(EXAMPLE_TEAM)) {

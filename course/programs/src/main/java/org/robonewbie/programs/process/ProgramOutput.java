@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Captures the output of a process, up to a maximum size. A thread reads continuously, so that the program never blocks on a
+ * Captures the output of a process, up to a maximum size. A thread reads continuously, so the program never blocks on a
  * full pipe. Lines that begin with {@link #ANSWER} are answers to calls, see {@link ParentProcess}.
  */
 public final class ProgramOutput {
@@ -162,7 +162,7 @@ public final class ProgramOutput {
         return end + (isAnswer ? "" : decoded(line.toByteArray()));
     }
 
-    /** Returns whether the JVM ended the program with an {@link OutOfMemoryError}. */
+    /** Returns whether the JVM terminated the program with an {@link OutOfMemoryError}. */
     boolean isOutOfMemory() {
         return lackOfMemory;
     }

@@ -115,7 +115,7 @@ final class RobotHost {
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
             } catch (IOException disconnected) {
-                // The trial has closed the connection; no reason to report.
+                // The trial has closed the connection; there is no reason to report.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {

@@ -32,8 +32,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * A student's program in a child process that provides robots for trials in this process. This process receives from it only
- * the robots' commands and the reasons for their departure.
+ * A student's program in a child process that provides robots for trials in this process. From the child, this process
+ * receives only the robots' commands and the reasons for their departure.
  *
  * <pre>{@code
  * try (RobotProcess program = new RobotProcess(request, sandbox, System.out::println);
@@ -208,7 +208,10 @@ public final class RobotProcess implements AutoCloseable {
             return !ProcessTree.hasConnections() || process.holds(guest.getPort(), door.port());
         }
 
-        /** {@return the controller of a robot, which is requested from the process as soon as its team and number are known} */
+        /**
+         * {@return the controller of a robot; the robot is requested from the process as soon as its team and number
+         * are known}
+         */
         @Override
         public Controller get() {
             return new CalledRobot(this);

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicLong;
 final class Turns {
 
     /**
-     * Number of turns so far, which is odd during the program's turn. In its first turn the program requests its robot, in
-     * later ones it sends commands.
+     * Number of turns so far, which is odd during the program's turn. In its first turn, the program requests its
+     * robot; in later ones, it sends commands.
      */
     private final AtomicLong count = new AtomicLong(1);
 

@@ -49,7 +49,7 @@ public final class WaitingProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program immediately in the JVM that is already running.
+     * Starts a program without delay in the JVM that is already running.
      *
      * @param className its class
      * @param classes its compiled classes

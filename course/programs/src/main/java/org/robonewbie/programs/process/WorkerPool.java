@@ -80,7 +80,7 @@ public final class WorkerPool implements AutoCloseable {
                     command, folder, false, ProgramOutput.of(this::print, answers::add), Limits.NONE);
         }
 
-        /** Prints a line, and remembers the first one of each run. */
+        /** Prints a line and remembers the first line of each run. */
         private void print(String line) {
             System.err.println(line);
             if (complaint.isEmpty()) {

@@ -43,7 +43,7 @@ public final class NewProject {
         /** Gradle, with a {@code build.gradle}. */
         GRADLE;
 
-        /** Returns the path of each file in the project, by template. */
+        /** Maps each template to the path of its file in the project. */
         private Map<String, String> files() {
             return this == MAVEN
                     ? Map.of("pom.xml", "pom.xml", "maven.config", ".mvn/maven.config")

@@ -22,12 +22,12 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
 /**
- * Cost of the framework per cycle of 20 ms for a robot program: receiving and parsing a recorded server message (two teams;
- * every third message has camera data), sensing, acting and formatting the answer. Nothing is sent, and the program computes
- * nothing.
+ * Cost of the framework per cycle of 20 ms for a robot program: receiving and parsing a recorded server message (two
+ * teams; every third message has camera data), sensing, acting and formatting the answer. Nothing is sent, and the
+ * program computes nothing.
  *
- * <p>{@link #perception} measures the immutable perception alone; allocations of the other benchmarks beyond it are overhead.
- * Sample mode yields median times but allocates itself, so read allocations from the averages.
+ * <p>{@link #perception} measures the immutable perception alone; allocations of the other benchmarks beyond it are
+ * overhead. Sample mode yields median times but itself allocates memory, so read the allocations from the averages.
  */
 @State(Scope.Thread)
 @BenchmarkMode({Mode.SampleTime, Mode.AverageTime})
@@ -48,7 +48,7 @@ public class AgentCycle {
     /**
      * Runs the benchmark with the allocation profiler.
      *
-     * @param args none
+     * @param args ignored
      * @throws RunnerException if JMH cannot run
      */
     public static void main(String[] args) throws RunnerException {

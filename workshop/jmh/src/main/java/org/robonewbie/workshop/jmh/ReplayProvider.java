@@ -6,7 +6,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Provider of a simulator without cost. */
+/** Provider of a simulator that does no work of its own. */
 public final class ReplayProvider implements SimulatorProvider {
 
     /** Creates the provider. */
@@ -17,7 +17,7 @@ public final class ReplayProvider implements SimulatorProvider {
         return new Replayed();
     }
 
-    /** Simulator without a simulation. */
+    /** Simulator that replays recorded messages instead of simulating. */
     private static final class Replayed implements EmbeddedSimulator {
 
         @Override

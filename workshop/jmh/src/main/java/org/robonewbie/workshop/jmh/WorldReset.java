@@ -49,7 +49,7 @@ public class WorldReset {
         settled = world.save();
     }
 
-    /** Places the robots and simulates until they rest. */
+    /** Places the robots and simulates until they come to rest. */
     @Benchmark
     public void settle() {
         for (int i = 0; i < robots; i++) {

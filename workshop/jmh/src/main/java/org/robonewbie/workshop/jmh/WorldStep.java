@@ -23,7 +23,10 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Cost of one step of the world without server, messages and agents: robots that move randomly, spread out or in a heap. */
+/**
+ * Cost of one step of the world without a server, messages or agents: the robots move randomly, spread out or in a
+ * pile.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -39,7 +42,7 @@ public class WorldStep {
     @Param({"1", "6", "22"})
     public int robots = 1;
 
-    /** Whether the robots are thrown onto a heap every ten seconds. */
+    /** Whether the robots are dropped in a pile every ten seconds. */
     @Param({"false", "true"})
     public boolean heap;
 
@@ -53,7 +56,7 @@ public class WorldStep {
     /**
      * Runs the benchmark with the allocation profiler.
      *
-     * @param args none
+     * @param args ignored
      * @throws RunnerException if JMH cannot run
      */
     public static void main(String[] args) throws RunnerException {

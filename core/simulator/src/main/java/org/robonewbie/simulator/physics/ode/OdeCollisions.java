@@ -20,7 +20,7 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Collider;
 
 /**
- * Collision detection by ode4j for a world with its own dynamics.
+ * Collision detection by ode4j for a world that computes the dynamics itself.
  *
  * <p>As in SimSpark, each group of shapes has its own nested space, because the nesting determines the order in which
  * pairs are found.

@@ -164,7 +164,7 @@ final class Accelerations {
         sums[to + 2] = z;
     }
 
-    /** Residual A λ - b of a row, from the accelerations computed last. */
+    /** Returns the residual A λ - b of a row, based on the accelerations computed last. */
     double residual(int joint, int row) {
         double motion = ConstraintRows.dot6(rows.firstJacobian, DIMENSIONS * row, sums, DIMENSIONS * first[joint]);
         if (second[joint] != CouplingGraph.FIXED) {

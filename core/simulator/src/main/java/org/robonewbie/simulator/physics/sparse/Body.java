@@ -14,7 +14,8 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 /**
  * Rigid body with Newton-Euler dynamics.
  *
- * <p>Arrays of three hold x, y, z. Arrays of six hold a linear and then an angular part, along the world axes.
+ * <p>Arrays of three elements hold x, y, z. Arrays of six elements hold a linear part and then an angular part, along
+ * the world axes.
  */
 final class Body implements RigidBody, Restorable {
 
@@ -94,7 +95,7 @@ final class Body implements RigidBody, Restorable {
         return quaternion;
     }
 
-    /** Modification counter of the orientation, for values that are derived from it. */
+    /** Returns a counter of changes to the orientation, for values that are derived from it. */
     int rotationVersion() {
         return rotationVersion;
     }

@@ -66,7 +66,7 @@ final class BoxShape extends CollisionShape {
         return 4;
     }
 
-    /** Half the length of an edge, signed so that it points upwards. */
+    /** Returns half the length of an edge, signed so that it points upwards. */
     private double signedHalf(int edge) {
         return drop[edge] > 0 ? half[edge] : -half[edge];
     }

@@ -63,8 +63,8 @@ abstract class CollisionShape implements Restorable {
     }
 
     /**
-     * Sequence number of the first move in the period in which the shape last moved (see {@link UpdateSequence}). It
-     * determines the position in ODE's list, which starts with the most recently moved shape.
+     * Returns the sequence number of the first move in the period in which the shape last moved (see {@link
+     * UpdateSequence}). It determines the position in ODE's list, which starts with the most recently moved shape.
      */
     int moveNumber() {
         return moveNumber;
@@ -90,7 +90,7 @@ abstract class CollisionShape implements Restorable {
         }
     }
 
-    /** Half the extent of the bounding box along a world axis. */
+    /** Returns half the extent of the bounding box along a world axis. */
     abstract double halfExtent(int axis);
 
     /**

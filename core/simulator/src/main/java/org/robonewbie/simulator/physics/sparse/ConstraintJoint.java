@@ -34,10 +34,13 @@ abstract class ConstraintJoint {
         }
     }
 
-    /** Number of rows in this step, a multiple of three as {@link BlockKernels} requires. */
+    /** Returns the number of rows in this step, a multiple of three as {@link BlockKernels} requires. */
     abstract int rowCount();
 
-    /** Index, within the joint, of the first row that can have limits; the others follow at {@link #BOUNDED_ROW_STRIDE}. */
+    /**
+     * Returns the index, within the joint, of the first row that can have limits; the others follow at {@link
+     * #BOUNDED_ROW_STRIDE}.
+     */
     final int firstBoundedRow() {
         return hinge ? BOUNDED_ROW_OF_HINGE : 0;
     }

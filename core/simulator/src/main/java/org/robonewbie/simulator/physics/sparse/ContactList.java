@@ -78,8 +78,8 @@ final class ContactList implements OdeCollisions.Listener {
     }
 
     /**
-     * Whether a contact is used. Once the total number of points between robots is large, both robots must be below their
-     * own limits.
+     * Returns whether a contact is used. Once the total number of points between robots is large, both robots must be
+     * below their own limits.
      */
     private boolean isWithinLimit(@Nullable ContactLimit one, @Nullable ContactLimit other, int count) {
         if (one == null || other == null) {

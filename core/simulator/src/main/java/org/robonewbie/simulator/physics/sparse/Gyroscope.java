@@ -3,9 +3,9 @@ package org.robonewbie.simulator.physics.sparse;
 /**
  * Gyroscopic torque of a body whose principal moments of inertia differ.
  *
- * <p>Like ODE, the torque is integrated implicitly so that it cannot add energy: with the angular momentum L and the inertia I,
- * solve {@code (I - h [L]×) w = L / h}; the torque is {@code I w - L / h} ({@code dxStepIsland_Stage0_Bodies}). The computation
- * uses body axes, where I is diagonal.
+ * <p>As in ODE, the torque is integrated implicitly so that it cannot add energy: with the angular momentum L and the
+ * inertia I, solve {@code (I - h [L]×) w = L / h}; the torque is {@code I w - L / h} ({@code
+ * dxStepIsland_Stage0_Bodies}). The computation uses body axes, where I is diagonal.
  */
 final class Gyroscope {
 

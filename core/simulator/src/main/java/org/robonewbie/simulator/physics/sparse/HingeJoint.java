@@ -27,7 +27,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     private final Body parent;
     private final HingeDefinition definition;
     /**
-     * Anchors, axes and initial orientation in one array, to use little of the processor's cache, which hundreds of
+     * Anchors, axes and initial orientation in one array, to occupy little of the processor's cache, which hundreds of
      * robots may share.
      */
     private final double[] fixed = new double[16];
@@ -176,7 +176,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         rows.rightHandSide[firstRow + 4] = gain * Rotations.dot(errorX, errorY, errorZ, jacobian, axis - 6);
     }
 
-    /** Index of the hinge axis in the Jacobian: the angular part of the last row. */
+    /** Returns the index of the hinge axis in the Jacobian: the angular part of the last row. */
     private int axisIndex() {
         return 6 * (firstRow + 5) + 3;
     }

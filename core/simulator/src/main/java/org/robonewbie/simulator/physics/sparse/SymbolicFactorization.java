@@ -88,7 +88,7 @@ final class SymbolicFactorization {
         }
     }
 
-    /** Whether this factorization is for the same joints between the same bodies. */
+    /** Returns whether this factorization is for the same joints between the same bodies. */
     boolean matches(int[] otherKey, int length) {
         return Arrays.equals(key, 0, keyLength, otherKey, 0, length);
     }
@@ -97,7 +97,7 @@ final class SymbolicFactorization {
         return key.length + 6 * order.length + 2 * coupled.elements.length + updates.length + overlaps.length;
     }
 
-    /** Whether the arrays are long enough for a number of joints, but not more than twice as long. */
+    /** Returns whether the arrays are long enough for a number of joints, but not more than twice as long. */
     boolean hasRoomFor(int otherJoints) {
         return otherJoints <= order.length && order.length <= 2 * otherJoints;
     }
@@ -114,7 +114,7 @@ final class SymbolicFactorization {
         return firstRow[joint + 1] - firstRow[joint];
     }
 
-    /** Storage size of all blocks. */
+    /** Returns the storage size of all blocks. */
     int size() {
         return diagonalOffset[joints];
     }

@@ -79,7 +79,7 @@ final class SymbolicFactorizationCache {
         pool.add(factorization);
     }
 
-    /** Memory of all factorizations except the large one. */
+    /** Returns the memory of all factorizations except the large one. */
     int memoryInInts() {
         return memoryInInts;
     }

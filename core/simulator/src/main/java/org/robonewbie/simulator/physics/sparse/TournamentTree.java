@@ -43,7 +43,7 @@ final class TournamentTree {
         set(leaves + index, REMOVED);
     }
 
-    /** Index of the smallest key; the tree must not be empty. */
+    /** Returns the index of the smallest key; the tree must not be empty. */
     int minimum() {
         return (int) nodes[1];
     }

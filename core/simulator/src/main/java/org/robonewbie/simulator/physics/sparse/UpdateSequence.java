@@ -10,7 +10,7 @@ final class UpdateSequence implements Restorable {
     private int period;
     private int moveNumber;
 
-    /** Number of the current period, which lasts from one contact search to the next. */
+    /** Returns the number of the current period, which lasts from one contact search to the next. */
     int period() {
         return period;
     }
