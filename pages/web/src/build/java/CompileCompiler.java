@@ -69,7 +69,7 @@ final class CompileCompiler {
         System.exit(exitCode);
     }
 
-    /** The compiler must not see RoboNewbie's classes, and in particular not the TeaVM policies of the other module. */
+    /** The compiler must not see RoboNewbie's classes, especially the TeaVM policies of the other module. */
     private static String withoutRobonewbie(String classPath) {
         return Arrays.stream(classPath.split(File.pathSeparator))
                 .filter(place -> !place.endsWith("classes") && !place.contains("robonewbie-"))

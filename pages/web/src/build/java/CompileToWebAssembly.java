@@ -18,7 +18,7 @@ import org.teavm.tooling.TeaVMToolException;
 import org.teavm.vm.TeaVMOptimizationLevel;
 
 /**
- * Compiles a program and its dependencies to one WebAssembly file, and puts TeaVM's loader beside it.
+ * Compiles a program and its dependencies to one WebAssembly file, and puts TeaVM's loader next to it.
  *
  * <p>Usage: {@code java -cp CLASS_PATH CompileToWebAssembly.java MAIN_CLASS FILE}
  */

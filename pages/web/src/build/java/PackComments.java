@@ -17,7 +17,8 @@ import org.robonewbie.programs.completion.CommentCollector;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Writes the Javadoc of RoboNewbie's classes that programs may use, as plain text by class and member, for the page's code completion.
+ * Writes the Javadoc of those RoboNewbie classes that programs may use, as plain text by class and member, for the
+ * page's code completion.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackComments.java ROOT FILE}
  */

@@ -22,8 +22,8 @@ import java.util.stream.Stream;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their dependencies, and those of
- * RoboNewbie. Format: number of classes, then the path, size in bytes, and content of each.
+ * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their
+ * dependencies, and RoboNewbie's classes. Format: number of classes, then the path, size in bytes, and content of each.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file receives the names of Java
  * classes that are not available in the page: one line per package, with the package name followed by the class names.
@@ -77,8 +77,8 @@ final class PackLibrary {
     }
 
     /**
-     * Lists Java's public classes that are missing in the page, except those with the same simple name as an available
-     * class.
+     * Lists Java's public classes that are missing from the page, except those with the same simple name as an
+     * available class.
      */
     private static String missing(Set<String> files) throws IOException, ClassNotFoundException {
         Set<String> known = files.stream()
@@ -115,7 +115,7 @@ final class PackLibrary {
                 Class.forName(name, false, ClassLoader.getPlatformClassLoader()).getModifiers());
     }
 
-    /** The allowed classes, their supertypes, and the types in their signatures. */
+    /** Returns the allowed classes, their supertypes, and the types in their signatures. */
     private static TreeSet<String> javaClasses() throws ClassNotFoundException, IOException {
         TreeSet<String> names = new TreeSet<>();
         for (String name : ProgramLibrary.javaClasses()) {

@@ -14,7 +14,7 @@ async function list() {
 }
 
 /**
- * Whether a cache belongs to an older version of this edition; the first version's cache name did not contain the folder.
+ * Returns whether a cache belongs to an older version of this edition; the first version's cache name did not contain the folder.
  *
  * @param {string} name
  */

@@ -13,7 +13,7 @@ export class AgentChoice {
   /** @param {readonly string[]} wanted agents that the page's address requests */
   constructor([first, ...others]) {
     this.chosen = first ?? FIRST;
-    /** Agents that play beside the selected one, or beside the user's program. */
+    /** Agents that play alongside the selected one or the user's program. */
     this.others = others.slice(0, MAX_OTHERS);
     this.list = choice({ id: 'page-agent', 'aria-label': 'Playing agent' }, [], (agent) => this.#take(agent));
     const title = 'Adds an agent; every second one plays against the first, up to four in all';

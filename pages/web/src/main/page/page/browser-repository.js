@@ -50,7 +50,7 @@ export class BrowserRepository {
   }
 
   /**
-   * Writes a text unless one of this name exists.
+   * Writes a text unless one with this name exists.
    *
    * @param {string} path
    * @param {string} text

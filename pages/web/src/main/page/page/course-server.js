@@ -76,7 +76,7 @@ export class CourseServer {
     return new Response(result);
   }
 
-  /** @param {string} request @param {string} path of the program */
+  /** @param {string} request @param {string} path path of the program */
   async #begin(request, path) {
     const result = await this.#questions.begin(request, await this.#programs.compiled(path));
     if (ANSWER.test(result)) {
@@ -99,7 +99,7 @@ export class CourseServer {
   }
 
   /**
-   * Loads the solution of an exercise, if a teacher has put the folder `solutions` of the teachers' zip beside this page.
+   * Loads the solution of an exercise, if a teacher has put the folder `solutions` from the teachers' zip next to this page.
    *
    * @param {string} exercise
    * @returns {Promise<Record<string, string>>} text by name of the file

@@ -106,7 +106,7 @@ function fullName(remark, missing) {
 }
 
 /**
- * Whether a name is missing here but exists in Java; a misspelt name is an ordinary error.
+ * Returns whether a name is missing here but exists in Java; a misspelt name is an ordinary error.
  *
  * @param {string} name
  * @param {Map<string, string>} missing

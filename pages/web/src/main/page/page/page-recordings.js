@@ -180,7 +180,7 @@ export class PageRecordings {
     return entry;
   }
 
-  /** @param {string} name @returns {Promise<OpenRecording>} with everything recorded so far */
+  /** @param {string} name @returns {Promise<OpenRecording>} the recording with everything recorded so far */
   async open(name) {
     await this.#work;
     const { id } = this.#find(name);

@@ -91,7 +91,7 @@ export class ProgramRepository {
    *
    * @param {string} path
    * @param {string} text
-   * @returns {boolean} false if a file or draft of this name exists
+   * @returns {boolean} false if a file or draft with this name exists
    */
   add(path, text) {
     return this.#drafts.read(path) === null && this.#own.add(path, text);
@@ -103,7 +103,7 @@ export class ProgramRepository {
   }
 
   /**
-   * Adds a program from a link beside the existing ones, which are not changed.
+   * Adds a program from a link to the existing ones, which are not changed.
    *
    * @param {string} path path from the link
    * @param {string} text

@@ -20,7 +20,7 @@ const EXAMPLES = [
   'Agent_BetterSoccer',
 ];
 
-/** @param {string} name of the class @returns {string} a minimal program that moves a robot */
+/** @param {string} name name of the class @returns {string} a minimal program that moves a robot */
 const shortest = (name) => `import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Joint;
 
@@ -41,7 +41,7 @@ public class ${name} extends Agent {
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
-/** @param {string} text of an example @param {string} name @returns {string} the example as a program of the user */
+/** @param {string} text text of an example @param {string} name @returns {string} the example as the user's program */
 function renamed(text, name) {
   const [, old = name] = /public (?:final )?class (\w+)/.exec(text) ?? [];
   return text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
@@ -58,7 +58,7 @@ export class ProgramServer {
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
    * @param {ProgramRepository} repository
-   * @param {{others: string[]}} agents shipped agents that play beside a program
+   * @param {{others: string[]}} agents shipped agents that play alongside a program
    */
   constructor(compiler, world, repository, agents) {
     this.#repository = repository;
@@ -140,7 +140,7 @@ export class ProgramServer {
     return this.#run;
   }
 
-  /** @param {string} path of a saved program @returns {Promise<Int8Array[]>} its classes */
+  /** @param {string} path path of a saved program @returns {Promise<Int8Array[]>} its classes */
   async compiled(path) {
     const { remarks, classes } = await this.#compile(path, this.#repository.read('own', path) ?? '');
     const wrong = remarks.find(({ serious }) => serious);
@@ -164,12 +164,12 @@ export class ProgramServer {
     return run;
   }
 
-  /** @param {string} path @param {string} text of the editor */
+  /** @param {string} path @param {string} text text in the editor */
   #compile(path, text) {
     return this.compiler.compile(this.#sources(path, text), path);
   }
 
-  /** The file in the editor, and those that it references. @param {string} path @param {string} text */
+  /** Returns the file in the editor and those that it references. @param {string} path @param {string} text */
   #sources(path, text) {
     const sources = new Map([[path, text]]);
     const classes = new Set([publicClass(text, path)]);

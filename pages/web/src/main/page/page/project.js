@@ -4,7 +4,7 @@
  * @typedef {object} Template project template, created by `robonewbie new` when this page was built
  * @property {string} name
  * @property {string} package
- * @property {Record<string, string>} texts by path
+ * @property {Record<string, string>} texts texts by path
  * @property {string[]} libraries paths of binary files
  */
 
@@ -15,7 +15,7 @@ const DEFAULT_CLASS = 'MyAgent';
 /** @param {string} path @returns {string} */
 const fileName = (path) => path.split('/').at(-1) ?? '';
 
-/** @param {string} text of a program @param {string} path @returns {string} the class after which its file must be named */
+/** @param {string} text text of a program @param {string} path @returns {string} the class after which its file must be named */
 export function publicClass(text, path) {
   return (
     /^\s*public\s+(?:(?:final|abstract|sealed)\s+)*(?:class|record|interface|enum)\s+(\w+)/m.exec(text)?.[1] ??

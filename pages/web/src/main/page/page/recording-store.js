@@ -141,7 +141,7 @@ export class RecordingStore {
     return request.result;
   }
 
-  /** @param {Error} failure @returns {Error} with a message for the user, if there is a remedy */
+  /** @param {Error} failure @returns {Error} the failure, with a message for the user if there is a remedy */
   #explained(failure) {
     if (failure.name !== 'QuotaExceededError') {
       return failure;

@@ -37,7 +37,7 @@ export class WorldConnection {
     this.#begin();
   }
 
-  /** @param {object} command such as `{do: 'pause'}` */
+  /** @param {object} command command such as `{do: 'pause'}` */
   send(command) {
     this.worker.postMessage({ ask: command });
   }

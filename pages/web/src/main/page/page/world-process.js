@@ -17,7 +17,7 @@ export class World {
   #fail = () => {};
   /** The user's motions, which programs may start: name and bytes of each. @type {() => [string, Int8Array][]} */
   ownMotions = () => [];
-  /** Called when another worker has replaced the first. */
+  /** Called when another worker has replaced the first one. */
   moved = () => {};
 
   /** @param {(event: MessageEvent) => void} onMessage @param {(event: ErrorEvent) => void} fail */

@@ -18,14 +18,14 @@ export class WorldQuestions {
 
   /**
    * @param {string} request request that starts an exercise
-   * @param {Int8Array[]} classes of the program
+   * @param {Int8Array[]} classes classes of the program
    * @returns {Promise<string>} its answer
    */
   begin(request, classes) {
     return this.#send('exercise', { request, classes });
   }
 
-  /** @param {string} action of the worker @param {object} data @returns {Promise<any>} */
+  /** @param {string} action action of the worker @param {object} data @returns {Promise<any>} */
   #send(action, data) {
     this.#asked += 1;
     const id = this.#asked;

@@ -24,7 +24,7 @@ final class Arithmetic {
         }
     }
 
-    /** Opcodes from 96: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
+    /** Executes the opcodes from 96: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
     private static void calculate(int code, Frame frame) {
         int operation = (code - 96) / 4;
         switch ((code - 96) % 4) {
@@ -107,7 +107,9 @@ final class Arithmetic {
         return value instanceof Float number ? (Object) (-number) : (Object) (-(Double) value);
     }
 
-    /** Opcodes from 120: shift left, right, unsigned right; and, or, exclusive or; each for int and long. */
+    /**
+     * Executes the opcodes from 120: shift left, right, unsigned right; and, or, exclusive or; each for int and long.
+     */
     private static Object bits(int code, Frame frame) {
         Object right = frame.popObject();
         int operation = (code - 120) / 2;

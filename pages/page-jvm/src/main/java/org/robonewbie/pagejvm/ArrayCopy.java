@@ -3,13 +3,16 @@ package org.robonewbie.pagejvm;
 import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
 
-/** Copies and type checks of arrays; TeaVM 0.15.0 fails for primitive arrays whose type is not known statically. */
+/**
+ * Copies arrays and checks their types; TeaVM 0.15.0 fails to do so for primitive arrays whose type is not known
+ * statically.
+ */
 public final class ArrayCopy {
 
     private ArrayCopy() {}
 
     /**
-     * Copies as {@link System#arraycopy} does.
+     * Copies elements like {@link System#arraycopy}.
      *
      * @param from the source array
      * @param at index of the first copied value

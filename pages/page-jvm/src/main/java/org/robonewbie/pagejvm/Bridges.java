@@ -41,7 +41,7 @@ import org.robonewbie.nao.motion.Interpolation;
  */
 final class Bridges {
 
-    /** Call of a method of the interface. */
+    /** Calls an interface method, given by its name, on the student's object. */
     private interface Call {
         @Nullable
         Object of(String method, @Nullable Object... arguments);

@@ -57,7 +57,7 @@ record ClassFile(
     /**
      * The constant CONSTANT_MethodType.
      *
-     * @param descriptor such as {@code (I)V}
+     * @param descriptor descriptor such as {@code (I)V}
      */
     record MethodType(String descriptor) {}
 
@@ -95,8 +95,8 @@ record ClassFile(
     /**
      * Entry of an exception table.
      *
-     * @param from first guarded byte, inclusive
-     * @param to last guarded byte, exclusive
+     * @param from first guarded byte
+     * @param to end of the guarded bytes, exclusive
      * @param handler start of the exception handler
      * @param type class name of the exception with slashes; empty for all
      */
@@ -112,7 +112,7 @@ record ClassFile(
      * @param locals number of local variables
      * @param stack maximum depth of the operand stack
      * @param guards the exception table
-     * @param lines line numbers by first byte of their code
+     * @param lines line numbers by the offset at which their code starts
      * @param source name of the source file
      */
     @SuppressWarnings("ArrayRecordComponent") // never compared

@@ -185,7 +185,7 @@ final class ClassFileReader {
         return attributes;
     }
 
-    /** A method before the source file name is known, which follows at the end of the class file. */
+    /** A method without the source file name, which follows only at the end of the class file. */
     private record Unnamed(MethodCode method) {
 
         MethodCode in(String source) {

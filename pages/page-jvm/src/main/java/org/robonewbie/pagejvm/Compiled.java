@@ -19,7 +19,7 @@ import org.robonewbie.pagejvm.ClassFile.Member;
 /** Reflective access to the compiled classes: the framework and Java's library. */
 final class Compiled {
 
-    /** Classes of which the machine executes at least some methods itself. */
+    /** Classes with methods that the machine executes itself. */
     private static final Set<String> SPECIAL = Set.of(
             "org/robonewbie/agent/Agent",
             "org/robonewbie/agent/Nao",
@@ -36,7 +36,7 @@ final class Compiled {
     private final Map<String, Class<?>> types = new HashMap<>();
     private final Set<String> initialised = new HashSet<>();
 
-    /** {@return the class of a name with slashes, or of an array descriptor} */
+    /** {@return the class for a name with slashes or for an array descriptor} */
     Class<?> type(String name) {
         return known(name).orElseThrow(() -> new Missing("The class " + name.replace('/', '.') + " is not available"));
     }
@@ -60,7 +60,7 @@ final class Compiled {
         }
     }
 
-    /** {@return the class of a descriptor; {@code Object} for a student's class} */
+    /** {@return the class for a descriptor; {@code Object} for a student's class} */
     Class<?> javaType(String descriptor) {
         return switch (descriptor.charAt(0)) {
             case 'Z' -> boolean.class;
@@ -76,7 +76,7 @@ final class Compiled {
         };
     }
 
-    /** {@return whether a compiled class is a subtype of another; both names with slashes} */
+    /** {@return whether a compiled class is a subtype of another; both names have slashes} */
     boolean isSubtype(String name, String above) {
         Optional<Class<?>> lower = known(name);
         Optional<Class<?>> upper = known(above);
@@ -109,7 +109,7 @@ final class Compiled {
         return field(field, null);
     }
 
-    /** Initialises a class explicitly: in a page, reflective field access does not. */
+    /** Initialises a class explicitly, because reflective field access does not do so in a page. */
     private void initialise(String name) {
         if (initialised.add(name)) {
             try {
@@ -204,7 +204,7 @@ final class Compiled {
         return parameters;
     }
 
-    /** A class with all superclasses and interfaces. */
+    /** Returns a class with all its superclasses and interfaces. */
     private static List<Class<?>> withAbove(Class<?> type) {
         List<Class<?>> all = new ArrayList<>(List.of(type));
         for (int i = 0; i < all.size(); i++) {
@@ -238,7 +238,7 @@ final class Compiled {
         return inner != null && (inner.isPrimitive() || isOfNumbers(inner));
     }
 
-    /** {@return a value of the machine in the representation of compiled code} */
+    /** {@return a value from the machine in the representation of compiled code} */
     static @Nullable Object toJava(@Nullable Object value, Class<?> type, Machine machine) {
         if (!type.isPrimitive()) {
             return Bridges.adapted(value, type, machine);

@@ -38,7 +38,7 @@ record Descriptor(List<String> parameters, String result) {
         return text.charAt(at) == 'L' ? text.indexOf(';', at) + 1 : at + 1;
     }
 
-    /** {@return the default value of a variable of a type} */
+    /** {@return the default value for a variable of a type} */
     static @org.jspecify.annotations.Nullable Object zero(String type) {
         return switch (type) {
             case "Z", "B", "C", "S", "I" -> 0;

@@ -1,6 +1,6 @@
 package org.robonewbie.pagejvm;
 
-/** A program did not finish a cycle. */
+/** Thrown when a program does not finish a cycle within the instruction limit. */
 public final class EndlessLoop extends Error {
 
     private static final long serialVersionUID = 1;

@@ -81,7 +81,7 @@ final class Frame {
         return value;
     }
 
-    /** {@return the topmost value, which must not be null} */
+    /** Pops a value, which must not be null. */
     Object popObject() {
         return Objects.requireNonNull(pop());
     }
@@ -121,7 +121,7 @@ final class Frame {
         next = handler;
     }
 
-    /** Replaces a placeholder by an object in all variables and on the stack. */
+    /** Replaces a placeholder with an object in all variables and on the stack. */
     void replace(Object placeholder, Object object) {
         replace(stack, placeholder, object);
         replace(locals, placeholder, object);

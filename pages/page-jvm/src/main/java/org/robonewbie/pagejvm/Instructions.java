@@ -120,7 +120,7 @@ final class Instructions {
         }
     }
 
-    /** dup_x2: duplicates the top value below the two stack slots under it. */
+    /** Executes dup_x2: inserts a copy of the top value below the two stack slots under it. */
     private static void duplicateBelow(Frame frame, @Nullable Object top) {
         Object second = frame.pop();
         if (isWide(second)) {
@@ -131,7 +131,7 @@ final class Instructions {
         }
     }
 
-    /** dup2_x1 and dup2_x2. */
+    /** Executes dup2_x1 and dup2_x2. */
     private static void duplicatePair(int code, Frame frame, @Nullable Object top) {
         Object[] pair = isWide(top) ? new Object[] {top} : new Object[] {frame.pop(), top};
         Object below = frame.pop();

@@ -85,7 +85,7 @@ final class Lambda {
     /**
      * Calls the lambda and waits for its result.
      *
-     * @param arguments in the machine's representation
+     * @param arguments arguments in the machine's representation
      * @return the result in the machine's representation
      */
     @Nullable

@@ -18,10 +18,13 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Machine {
 
-    /** Instructions between two messages of the simulator after which a loop counts as endless; some tenths of a second. */
+    /**
+     * Number of instructions between two simulator messages after which a loop counts as endless; a few tenths of a
+     * second.
+     */
     public static final long STEPS_PER_CYCLE = 5_000_000;
 
-    /** Instructions after which a cycle counts as slow, since the page then falls behind real time. */
+    /** Number of instructions after which a cycle counts as slow, because the page then falls behind real time. */
     static final long SLOW_STEPS = 500_000;
 
     private static final int SLOW_CYCLES_TO_REPORT = 5;
@@ -114,7 +117,7 @@ public final class Machine {
         return frames.isEmpty();
     }
 
-    /** Signals a new message of the simulator, which resets the instruction count. */
+    /** Signals a new message from the simulator, which resets the instruction count. */
     public void newCycle() {
         stepsLeft = STEPS_PER_CYCLE;
         stepsLeftAtNextCheck = STEPS_PER_CYCLE - SLOW_STEPS;
@@ -137,7 +140,7 @@ public final class Machine {
         return value;
     }
 
-    /** Runs the calls above a stack depth to their end, even while outer calls wait. */
+    /** Runs the calls above a stack depth to completion, even while outer calls wait. */
     private void finish(int base) {
         Waiting outer = waiting;
         waiting = null;
@@ -165,7 +168,7 @@ public final class Machine {
         top().push(value);
     }
 
-    /** Waits for the result of a call, which is pushed unless it is discarded. */
+    /** Suspends the program until a call has a result, which is then pushed if it is wanted. */
     void await(Waiting pause, boolean isWanted) {
         waiting = isWanted ? pause : new Discarded(pause);
     }
@@ -195,7 +198,7 @@ public final class Machine {
         Instructions.execute(frame, this);
     }
 
-    /** Stops an endless loop, and reports once a program that is slow in many cycles. */
+    /** Stops an endless loop. Reports a program that is slow in many cycles, but only once. */
     private void checkTime() {
         if (stepsLeft < 0) {
             throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);
@@ -228,7 +231,9 @@ public final class Machine {
         }
     }
 
-    /** Pushes the static initialiser of a class, and above it those of its superclasses. Returns whether there is any. */
+    /**
+     * Pushes the static initialiser of a class, and above it those of its superclasses. Returns whether any was pushed.
+     */
     boolean initialise(StudentClass type) {
         if (type.isInitialised) {
             return false;
@@ -335,7 +340,7 @@ public final class Machine {
         }
     }
 
-    /** Wrapper of an exception that the program throws itself, which already has a stack trace. */
+    /** Wrapper for an exception that the program itself throws, and that already has a stack trace. */
     static final class Thrown extends RuntimeException {
 
         private static final long serialVersionUID = 1;

@@ -45,7 +45,10 @@ final class Members {
         }
     }
 
-    /** Starts the static initialiser of a class if it has not run yet; the instruction is then repeated afterwards. */
+    /**
+     * Starts the static initialiser of a class if it has not run yet. Returns whether an initialiser was started; the
+     * instruction is repeated after it.
+     */
     private boolean mustWaitForInitialiser(Frame frame, StudentClass type) {
         if (!machine.initialise(type)) {
             return false;
@@ -112,7 +115,9 @@ final class Members {
         call(frame, method, type, target, arguments);
     }
 
-    /** Calls a method of an object: of the student's class if there is one, else of a compiled class. */
+    /**
+     * Calls a method of an object: the student's implementation if there is one, otherwise that of a compiled class.
+     */
     private void call(Frame frame, Member method, Descriptor type, Object target, @Nullable Object[] arguments) {
         if (target instanceof Lambda lambda && lambda.isCalledBy(method.name(), program)) {
             enterLambda(frame, lambda, type, arguments);

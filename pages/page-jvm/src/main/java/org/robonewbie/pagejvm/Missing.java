@@ -1,6 +1,6 @@
 package org.robonewbie.pagejvm;
 
-/** A feature of Java that the page does not support. */
+/** Thrown when a program uses a feature of Java that the page does not support. */
 public final class Missing extends RuntimeException {
 
     private static final long serialVersionUID = 1;

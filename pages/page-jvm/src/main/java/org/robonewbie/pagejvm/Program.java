@@ -34,7 +34,7 @@ public final class Program {
         return compiled;
     }
 
-    /** {@return the student's class with a name with slashes} */
+    /** {@return the student's class for a name with slashes} */
     Optional<StudentClass> find(String name) {
         return Optional.ofNullable(classes.get(name));
     }
@@ -47,7 +47,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return names with slashes of the agents with a no-arg constructor, inner classes last} */
+    /** {@return the names, with slashes, of the agents that have a no-arg constructor; inner classes last} */
     public List<String> agents() {
         return classes.values().stream()
                 .filter(type -> type.is("org/robonewbie/agent/Agent")
@@ -57,7 +57,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return Java names of classes and methods that the program uses and the page lacks} */
+    /** {@return the Java names of classes and methods that the program uses but the page lacks} */
     public List<String> missing() {
         return classes.values().stream()
                 .flatMap(type -> type.file().constants().stream())

@@ -1,6 +1,6 @@
 package org.robonewbie.pagejvm;
 
-/** {@code System.exit} was called. */
+/** Thrown when the program calls {@code System.exit}. */
 public final class ProgramEnd extends Error {
 
     private static final long serialVersionUID = 1;
@@ -8,9 +8,9 @@ public final class ProgramEnd extends Error {
     private final int exitCode;
 
     /**
-     * Creates the exit.
+     * Creates the error.
      *
-     * @param exitCode 0 for success
+     * @param exitCode exit code, 0 for success
      */
     public ProgramEnd(int exitCode) {
         super("The program has exited with code " + exitCode + ".");

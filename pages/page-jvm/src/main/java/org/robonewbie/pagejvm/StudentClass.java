@@ -42,12 +42,12 @@ final class StudentClass {
         return program.find(file.superName());
     }
 
-    /** {@return name of the nearest superclass that is not the student's} */
+    /** {@return the name of the nearest superclass that is not the student's} */
     String compiledParent() {
         return parent().map(StudentClass::compiledParent).orElse(file.superName());
     }
 
-    /** {@return whether this class is a type or a subtype of it} */
+    /** {@return whether this class is the named type or a subtype of it} */
     boolean is(String name) {
         return file.name().equals(name)
                 || file.interfaces().stream()
@@ -90,7 +90,7 @@ final class StudentClass {
                 .or(() -> inherited);
     }
 
-    /** {@return a method of this class or its superclasses with a given number of parameters} */
+    /** {@return the method of this class or its superclasses with a given name and number of parameters} */
     Optional<StudentMethod> findByName(String name, int arguments) {
         return file.methods().stream()
                 .filter(method -> method.name().equals(name) && !method.isAbstract())
@@ -122,7 +122,9 @@ final class StudentClass {
                 .map(code -> new StudentMethod(this, code));
     }
 
-    /** {@return the static fields of the class that declares this one; empty if it is not the student's} */
+    /**
+     * {@return all static fields of the class that declares the given one; empty if that class is not the student's}
+     */
     Optional<Map<String, @Nullable Object>> staticsWith(String field) {
         if (statics.containsKey(field)) {
             return Optional.of(statics);

@@ -7,7 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Copies changed values between the fields of student's robots. */
+/** Copies changed values between the fields of students' robots. */
 public final class StudentFields {
 
     private final List<StudentObject> seen = new ArrayList<>();

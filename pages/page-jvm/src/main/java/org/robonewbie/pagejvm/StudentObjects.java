@@ -45,7 +45,7 @@ final class StudentObjects {
         return mistake;
     }
 
-    /** {@return whether an object is an instance of a class with a name with slashes} */
+    /** {@return whether an object is an instance of a class; the name has slashes} */
     static boolean isInstance(Object value, String name, Program program) {
         if (name.equals("java/lang/Object")) {
             return true;
@@ -144,7 +144,7 @@ final class StudentObjects {
         return copy;
     }
 
-    /** Calls {@code Enum.valueOf} of a student's enumeration. */
+    /** Calls {@code Enum.valueOf} for a student's enumeration. */
     static @Nullable Object staticCall(
             Member method, @Nullable StudentClass owner, @Nullable Object[] arguments, Machine machine) {
         boolean isValueOf = method.name().equals("valueOf") && arguments.length == 2;

@@ -23,7 +23,7 @@ final class Addresses {
         this.root = root;
     }
 
-    /** The address of a page, a picture, an API page, or a page that shows a source file or folder. */
+    /** Returns the address of a page, a picture, an API page, or a page that shows a source file or folder. */
     String of(Path file) {
         String path = name(file);
         if (path.startsWith(DOCS)) {
@@ -38,12 +38,14 @@ final class Addresses {
         return "files/" + plain(path) + (Files.isDirectory(file) ? "/index.html" : ".html");
     }
 
-    /** The path of a file relative to the project, with slashes. */
+    /** Returns the path of a file relative to the project, with slashes. */
     String name(Path file) {
         return root.relativize(file).toString().replace('\\', '/');
     }
 
-    /** The relative link between two pages: from {@code a/b.html} to {@code c.html} it is {@code ../c.html}. */
+    /**
+     * Returns the relative link between two pages, such as {@code ../c.html} from {@code a/b.html} to {@code c.html}.
+     */
     static String relative(String from, String to) {
         Path folder = Path.of("/" + from).resolveSibling("").normalize();
         return folder.relativize(Path.of("/" + to)).toString().replace('\\', '/');

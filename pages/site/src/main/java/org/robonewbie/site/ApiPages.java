@@ -58,7 +58,7 @@ final class ApiPages {
         }
     }
 
-    /** The address of the page of a package, given the path of its {@code package-info.java}. */
+    /** Returns the address of a package's page, given the path of its {@code package-info.java}. */
     static String addressOf(String packageInfo) {
         return FOLDER + packageInfo.replaceFirst("^.*src/main/java", "").replace(PACKAGE_INFO, "package-summary.html");
     }
@@ -126,7 +126,10 @@ final class ApiPages {
         return arguments;
     }
 
-    /** The class path of this class, which Maven loads separately; it contains internal types that the API refers to. */
+    /**
+     * Returns the class path of this class, which Maven loads separately; it contains internal types that the API
+     * refers to.
+     */
     private static String classPath() {
         if (!(ApiPages.class.getClassLoader() instanceof URLClassLoader loader)) {
             return System.getProperty("java.class.path");
@@ -136,7 +139,7 @@ final class ApiPages {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** Moves inline scripts to files, since the studio's Content-Security-Policy forbids inline scripts. */
+    /** Moves inline scripts to files, because the studio's Content-Security-Policy forbids inline scripts. */
     private static void extractScripts(Path pages) throws IOException {
         List<Path> files;
         try (Stream<Path> all = Files.walk(pages)) {

@@ -18,7 +18,7 @@ import org.commonmark.renderer.html.HtmlRenderer;
 import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
- * A parsed Markdown page. Its headings have the same anchors as on code hosts, so that links work in both places.
+ * A parsed Markdown page. Its headings have the same anchors as on code hosts, so links work on both.
  */
 final class Article {
 
@@ -66,7 +66,7 @@ final class Article {
         return document;
     }
 
-    /** The text of the first heading. */
+    /** Returns the text of the first heading. */
     String title() {
         return sections().stream().findFirst().map(Section::title).orElse(address);
     }

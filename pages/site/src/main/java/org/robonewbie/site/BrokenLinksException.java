@@ -2,7 +2,7 @@ package org.robonewbie.site;
 
 import java.util.List;
 
-/** The documentation contains broken links. */
+/** Thrown when the documentation contains broken links. */
 public final class BrokenLinksException extends RuntimeException {
 
     private static final long serialVersionUID = 1;

@@ -10,7 +10,7 @@ import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Image;
 import org.commonmark.node.Link;
 
-/** Translates links between files to links between pages; collects the referenced files and the broken links. */
+/** Translates links between files into links between pages, and collects the referenced files and the broken links. */
 final class Links {
 
     private final Addresses addresses;
@@ -30,17 +30,17 @@ final class Links {
         this.articles = articles;
     }
 
-    /** Pictures and ready-made HTML slides that pages refer to. */
+    /** Returns the pictures and ready-made HTML slides that pages refer to. */
     List<Path> pictures() {
         return List.copyOf(pictures);
     }
 
-    /** Other files and folders of the project that pages refer to. */
+    /** Returns the other files and folders of the project that pages refer to. */
     List<Path> files() {
         return List.copyOf(files);
     }
 
-    /** One message per broken link. */
+    /** Returns one message per broken link. */
     List<String> broken() {
         return List.copyOf(broken);
     }

@@ -60,7 +60,7 @@ final class Navigation {
         return chapters;
     }
 
-    /** All pages in reading order. */
+    /** Returns all pages in reading order. */
     List<Article> order() {
         return chapters.stream()
                 .flatMap(chapter -> chapter.entries().stream())
@@ -69,7 +69,7 @@ final class Navigation {
                 .toList();
     }
 
-    /** The page at an offset in reading order. */
+    /** Returns the page at an offset from an article in reading order, such as −1 for the previous page. */
     Optional<Article> neighbour(Article article, int steps) {
         List<Article> order = order();
         int index = order.indexOf(article) + steps;

@@ -112,7 +112,10 @@ public final class SiteBuilder {
         }
     }
 
-    /** One entry per section. A script, not JSON, since pages opened from a folder may load scripts only. */
+    /**
+     * Returns one entry per section, as a script rather than JSON because pages opened from a folder can load only
+     * scripts.
+     */
     private static String searchIndex(Map<Path, Article> articles) {
         List<Map<String, String>> sections = articles.values().stream()
                 .flatMap(article -> article.sections().stream()

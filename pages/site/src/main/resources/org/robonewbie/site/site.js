@@ -1,4 +1,4 @@
-// Colour scheme, navigation on small screens, and search. A plain script, since pages opened from a folder cannot load modules.
+// Colour scheme, navigation on small screens, and search. A plain script, because pages opened from a folder cannot load modules.
 (() => {
   const KEY = 'robonewbie-theme';
   const MAX_HITS = 12;
@@ -37,7 +37,7 @@
     name();
   }
 
-  /** Returns the sections that contain all words; matches in headings weigh most. */
+  /** Returns the sections that contain all words; matches in headings have the greatest weight. */
   function find(words) {
     return globalThis.searchIndex
       .map((section) => {

@@ -12,7 +12,10 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.jspecify.annotations.Nullable;
 
-/** Outermost HTTP handler: signs browsers in, rejects what {@link AccessRule} refuses, and sets the security headers. */
+/**
+ * Outermost HTTP handler: signs browsers in, rejects the requests that {@link AccessRule} refuses, and sets the
+ * security headers.
+ */
 final class AccessGuard extends Handler.Wrapper {
 
     private static final String USED_UP = """

@@ -16,7 +16,8 @@ import java.util.HexFormat;
 import java.util.regex.Pattern;
 
 /**
- * Secret of one user from which the cookies of all studios are derived: 128 random bits, known only to this process and its file.
+ * One user's secret, from which the cookies of all studios are derived: 128 random bits, held only by this process and
+ * its file.
  *
  * <p>The token lives for a day in a file that only this user can read, so that an open page can reconnect after the
  * simulator has been restarted.

@@ -27,7 +27,7 @@ interface CommandQueue extends AutoCloseable {
      * Sends the simulation a request and waits for the answer.
      *
      * @param none result to return if the simulation has ended
-     * @param request sends the request; the answer goes to the callback that it is given
+     * @param request sends the request and passes the answer to the given callback
      * @return the answer
      */
     <T> T answer(T none, Consumer<Consumer<T>> request);

@@ -6,7 +6,10 @@ import java.util.Set;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Warnings and errors from all robots' programs, without duplicates. Sent to every page, whichever robot it watches. */
+/**
+ * Warnings and errors from all robots' programs, without duplicates. Sent to every page, regardless of which robot it
+ * watches.
+ */
 final class DiagnosticsFeed {
 
     private static final int MAX_DIAGNOSTICS = 500;
@@ -14,7 +17,7 @@ final class DiagnosticsFeed {
 
     private final Set<String> sent = new HashSet<>();
 
-    /** Returns a warning or error as JSON; empty for other messages and for duplicates. */
+    /** Returns a warning or error as JSON; empty for other messages, for duplicates, and once the limit is reached. */
     Optional<String> of(TelemetryMessage message) {
         if (message.item() instanceof TelemetryItem.LogEntry line && SERIOUS.contains(line.level())) {
             String json = SceneDescriptionWriter.diagnostic(message.team(), message.number(), line);

@@ -7,14 +7,14 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Command queue that runs each command immediately. For pages in which the simulation, the robots and the user's
+ * Command queue that runs each command immediately. Used in pages in which the simulation, the robots and the user's
  * commands share one thread.
  */
 final class InlineCommandQueue implements CommandQueue {
 
     /**
      * Maximum number of evaluations of the condition in {@link #await}. Each one lets robots join; a robot that must
-     * wait for the other team joins in the second.
+     * wait for the other team joins during the second one.
      */
     private static final int MAX_EVALUATIONS = 10;
 

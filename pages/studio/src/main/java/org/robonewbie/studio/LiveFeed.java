@@ -33,19 +33,22 @@ import org.robonewbie.studio.roboviz.RoboVizFeed;
  * Broadcasts the latest state of the simulation to all pages, about 25 times per second.
  *
  * <p>The simulation thread only stores a reference to the state. The feed's thread encodes the state once and sends the
- * bytes to each spectator that has drawn its last frame; the others skip this one. A slow page thus delays neither the
- * simulation nor other pages.
+ * bytes to each spectator that has drawn its previous frame; all others skip this frame. A slow page thus delays
+ * neither the simulation nor other pages.
  */
 final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext, AutoCloseable {
 
-    /** Slightly shorter than two cycles, so that every second cycle is sent at real-time speed. */
+    /**
+     * Minimum interval between frames: slightly less than two cycles, so that every second cycle is sent at real-time
+     * speed.
+     */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
 
     private static final int MAX_TELEMETRY = 20_000;
     private static final int MAX_MESSAGES = 500;
     private static final long MAX_PARK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
-    /** How long a frozen page delays the end of the studio. */
+    /** Maximum time in seconds for which a frozen page can delay closing the studio. */
     private static final int MAX_CLOSE_SECONDS = 1;
 
     private final SimulationControl simulation;
@@ -170,7 +173,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         return watchedRobots.containsKey(robot);
     }
 
-    /** Queues the messages that a watched robot's agent exchanged. Drops them when the queue is full. */
+    /** Queues the messages that a watched robot's agent exchanged. Drops them if the queue is full. */
     @Override
     public void messagesExchanged(AgentMessages exchanged) {
         messages.offer(exchanged);
@@ -193,7 +196,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         sentences.add(sentence);
     }
 
-    /** Queues telemetry of a robot. Clears the queue when it is full. */
+    /** Queues telemetry of a robot. Clears the queue first if it is full. */
     @Override
     public void accept(TelemetryMessage message) {
         if (isWanted() && !telemetry.offer(message)) {
@@ -213,7 +216,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         }
     }
 
-    /** Messages that are printed while no page is open are kept for the first page. */
+    /** Queues the printed messages. While no page is open, they are kept for the first page that opens. */
     private void queueSentences() {
         while (isWanted() && !sentences.isEmpty()) {
             String json = SceneDescriptionWriter.notice(sentences.remove());

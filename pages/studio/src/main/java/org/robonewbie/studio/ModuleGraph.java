@@ -24,7 +24,7 @@ public final class ModuleGraph {
     /**
      * Creates a graph.
      *
-     * @param files returns the text of a script by its path
+     * @param files returns the text of the script with a given path
      */
     public ModuleGraph(Function<String, Optional<String>> files) {
         this.files = files;

@@ -19,8 +19,8 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.studio.replay.NoteLines;
 
 /**
- * Live feed for a single page in whose worker the world runs. It sends the same messages as {@link LiveFeed}, but
- * without a thread, a clock or a socket. Not thread-safe.
+ * Live feed for a single page that runs the world in its own worker. It sends the same messages as {@link LiveFeed},
+ * but without a thread, a clock or a socket. Not thread-safe.
  */
 public final class PageFeed implements TelemetrySink {
 
@@ -39,7 +39,9 @@ public final class PageFeed implements TelemetrySink {
     private @Nullable SceneDescription scene;
     private @Nullable ByteBuffer shown;
 
-    /** The displayed world. It applies orders immediately, and puppets have joined when {@link #start} returns. */
+    /**
+     * The displayed world. It applies commands immediately, and puppets have joined by the time {@link #start} returns.
+     */
     public interface World extends SimulationControl, PuppetProvider {
 
         /** {@return the current state} */
@@ -74,7 +76,7 @@ public final class PageFeed implements TelemetrySink {
         void show(byte[] frame);
 
         /**
-         * Stores a log entry or drawing beside the recording of the world.
+         * Stores a log entry or drawing alongside the recording of the world.
          *
          * @param note one line, as written by {@link NoteLines}
          */
@@ -94,7 +96,7 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Labels the world as a trial from now on.
+     * Labels the world as a trial.
      *
      * @param trial label of the trial
      */

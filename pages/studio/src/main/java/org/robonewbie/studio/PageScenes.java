@@ -8,7 +8,7 @@ import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.studio.scene.SceneRepository;
 import org.robonewbie.studio.scene.SceneService;
 
-/** Saved scenes of a page in whose worker the world runs. */
+/** Saved scenes of a page that runs the world in its own worker. */
 public final class PageScenes {
 
     private static final String PLACE = "this browser";
@@ -35,7 +35,7 @@ public final class PageScenes {
      * @param feed the feed of the displayed world
      * @param method PUT saves or renames, DELETE removes, POST restores, any other method lists the scenes
      * @param name the scene
-     * @param old previous name of a scene to be renamed; else empty
+     * @param old previous name of a scene that is being renamed; otherwise empty
      * @return one JSON object
      * @throws RefusedException if the request is refused; the message gives the reason
      */

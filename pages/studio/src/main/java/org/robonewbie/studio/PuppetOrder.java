@@ -5,7 +5,7 @@ import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.order.PlayerNumber;
 
 /**
- * Command for a puppet, a robot that the user steers by hand.
+ * Command for a puppet, which is a robot that the user controls manually.
  *
  * @param player the robot
  * @param action the command

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Manages the puppets: robots that the user steers from the page. They join as ordinary agents. */
+/** Manages the puppets: robots that the user controls from the page. They join as ordinary agents. */
 final class PuppetService {
 
     /** Team name of puppets on a side that has no team yet. */
@@ -58,7 +58,7 @@ final class PuppetService {
     }
 
     /**
-     * Adds a puppet with the first free number of a team.
+     * Adds a puppet with the lowest free number of a team.
      *
      * @return the side and number of the puppet
      * @throws IllegalStateException if no puppet can join; the message gives the reason
@@ -94,7 +94,7 @@ final class PuppetService {
     }
 
     /**
-     * The free position closest to the ball on the line that leads from it straight away from the goal that the robot
+     * Returns the closest free position directly behind the ball, on the side away from the goal that the robot
      * attacks.
      */
     private static Vector3 behindBall(RobotSnapshot robot, WorldSnapshot now) {
@@ -115,7 +115,9 @@ final class PuppetService {
                 .anyMatch(place -> place.minus(new Vector3(x, y, place.z())).length() < METRES_BETWEEN);
     }
 
-    /** Adds a puppet for each robot in a state that is no longer in the game. Returns the number of these robots. */
+    /**
+     * Adds a puppet for each robot that is in a state but no longer in the game. Returns the number of these robots.
+     */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {

@@ -89,7 +89,7 @@ final class Restore implements RestorableSimulation {
         return restored.exact() ? "" : "The world is restored approximately: speeds are estimated.";
     }
 
-    /** Identities and body types of all robots; an exact state can be restored only if they match. */
+    /** Returns the identities and body types of all robots; an exact state can be restored only if they match. */
     private static List<String> players(WorldSnapshot state) {
         return state.robots().stream()
                 .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())

@@ -42,10 +42,10 @@ record SceneDescription(
      *
      * @param id number of its connection
      * @param team name of its team, empty before it joins one
-     * @param side its half, empty before it joins a team
+     * @param side side of its team, empty before it joins one
      * @param number its player number, 0 before it joins a team
      * @param type its body type
-     * @param puppet whether the user steers it
+     * @param puppet whether the user controls it manually
      */
     record Player(int id, String team, Optional<TeamSide> side, int number, RobotType type, boolean puppet) {
 

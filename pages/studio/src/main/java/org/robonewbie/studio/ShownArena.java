@@ -20,8 +20,8 @@ final class ShownArena implements Arena {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     /**
-     * Cycles that a new agent needs to receive its number and move to its line-up position. Restoring a state earlier
-     * would confuse it.
+     * Cycles that a new agent needs to receive its number and move to its line-up position. Restoring a state before
+     * then would confuse it.
      */
     private static final int CYCLES_TO_SETTLE = 12;
 
@@ -72,7 +72,7 @@ final class ShownArena implements Arena {
         return condition.getAsBoolean();
     }
 
-    /** Connection numbers of all robots that have joined a team. */
+    /** Returns the connection numbers of all robots that have joined a team. */
     private static Set<Integer> players(WorldSnapshot state) {
         return state.robots().stream()
                 .filter(robot -> !robot.team().isEmpty())

@@ -35,7 +35,7 @@ public final class ShownSimulation implements SimulationControl {
     /**
      * Shows another simulation. The previous one continues in the background.
      *
-     * @param other the simulation to show from now on
+     * @param other the simulation to show
      */
     public synchronized void show(SimulationControl other) {
         if (other == shown) {

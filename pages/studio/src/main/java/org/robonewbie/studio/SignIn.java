@@ -87,13 +87,13 @@ final class SignIn {
         return isSame(cookieValue, shownValue);
     }
 
-    /** The value of the Set-Cookie header; scripts cannot read the cookie. */
+    /** Returns the value of the Set-Cookie header; scripts cannot read the cookie. */
     String cookie() {
         return cookieName + "=" + cookieValue + "; Path=/; HttpOnly; SameSite=Strict; Max-Age="
                 + AccessToken.LIFETIME.toSeconds();
     }
 
-    /** Constant-time comparison. */
+    /** Compares in constant time. */
     private static boolean isSame(String secret, String shown) {
         return MessageDigest.isEqual(secret.getBytes(StandardCharsets.UTF_8), shown.getBytes(StandardCharsets.UTF_8));
     }

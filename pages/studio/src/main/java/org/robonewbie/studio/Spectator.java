@@ -18,8 +18,8 @@ import org.robonewbie.studio.roboviz.RoboVizFeed;
 /**
  * WebSocket connection of a page that watches the simulation.
  *
- * <p>The next frame is sent only after the page has acknowledged the last one, so a frozen or hidden page has at most one frame in
- * flight. An unchanged frame is repeated once per second as a keep-alive while the world is paused.
+ * <p>The next frame is sent only after the page has acknowledged the previous one, so a frozen or hidden page has at
+ * most one frame in flight. An unchanged frame is repeated once per second as a keep-alive while the world is paused.
  */
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
@@ -71,7 +71,9 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
-    /** Telemetry for this page. Called by the feed's thread only, except {@link TelemetryFeed#watch}. */
+    /**
+     * Returns the telemetry for this page. Except for {@link TelemetryFeed#watch}, only the feed's thread may use it.
+     */
     TelemetryFeed telemetry() {
         return telemetry;
     }
@@ -134,7 +136,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         session.sendText(texts.get(0), Callback.from(() -> send(session, others, frame), failure -> {}));
     }
 
-    /** {@return a future that is completed when the page has confirmed the end of the connection} */
+    /** {@return a future that is completed when the page has confirmed that the connection is closed} */
     CompletableFuture<Void> disconnect() {
         Session session = getSession();
         if (session == null) {

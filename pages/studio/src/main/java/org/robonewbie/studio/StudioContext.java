@@ -13,14 +13,14 @@ interface StudioContext {
 
     CommandQueue commandQueue();
 
-    /** Values that the user has set for tunable parameters of the robots' programs. */
+    /** Returns the values that the user has set for tunable parameters of the robots' programs. */
     TuningRequests numbers();
 
-    /** The robots that are steered by hand. */
+    /** Returns the service for manually controlled robots. */
     PuppetService puppets();
 
     /**
-     * The latest state of the world.
+     * Returns the latest state of the world.
      *
      * @throws IllegalStateException if the simulation has not started
      */

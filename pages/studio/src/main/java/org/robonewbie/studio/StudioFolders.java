@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
- * Folders that the studio's pages may access; no other file can be reached from a page.
+ * Folders that the studio's pages may access; they cannot access files anywhere else.
  *
  * @param motions folder of motion files; it need not exist
  * @param scenes folder of saved scenes; it need not exist
@@ -44,10 +44,10 @@ public record StudioFolders(
     }
 
     /**
-     * Returns the folders for a program whose working directory is its project.
+     * Returns the folders for a program that runs in the folder of its project.
      *
-     * @return {@code motions} in the working directory, the user's recordings, and those in the working directory and its folder
-     *     {@code recordings}
+     * @return {@code motions} in the working directory, the user's recordings, and those in the working directory and
+     *     in its folder {@code recordings}
      */
     public static StudioFolders ofWorkingDirectory() {
         List<Path> projects = List.of(Path.of(""), Path.of("recordings"));

@@ -46,9 +46,9 @@ interface StudioRequest {
     }
 
     /**
-     * Orders that control the world's clock; they cannot be undone.
+     * Commands that control the world's clock; they cannot be undone.
      *
-     * @param orders the orders, in this order
+     * @param orders the commands, in order of execution
      */
     record Orders(List<Order> orders) implements StudioRequest {
 
@@ -67,7 +67,7 @@ interface StudioRequest {
      *
      * @param name description such as "ball moved"
      * @param gesture number of the drag that the change belongs to; 0 for none
-     * @param orders the orders, in this order
+     * @param orders the commands, in order of execution
      */
     record Change(String name, long gesture, List<Order> orders) implements StudioRequest {
 
@@ -81,7 +81,7 @@ interface StudioRequest {
         }
     }
 
-    /** Undoes the last change, or redoes it. */
+    /** Undoes the latest change, or redoes the one that was undone last. */
     enum History implements StudioRequest {
         UNDO {
             @Override
@@ -98,9 +98,9 @@ interface StudioRequest {
     }
 
     /**
-     * Adds a robot that is steered by hand.
+     * Adds a manually controlled robot.
      *
-     * @param side its team; ignored while there is no left team, because the robot then founds it
+     * @param side its team; ignored if there is no left team yet, because the robot then creates that team
      */
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override
@@ -111,7 +111,7 @@ interface StudioRequest {
     }
 
     /**
-     * Removes a robot that is steered by hand.
+     * Removes a manually controlled robot.
      *
      * @param player the robot
      */

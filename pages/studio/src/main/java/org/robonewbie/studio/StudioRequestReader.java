@@ -19,8 +19,8 @@ import org.robonewbie.protocol.telemetry.TuningRequest;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
- * Parser and validator of page commands such as <code>{"do":"step","cycles":1}</code>. Values out of range never reach the
- * simulation.
+ * Parser and validator of page commands such as <code>{"do":"step","cycles":1}</code>. Out-of-range values never reach
+ * the simulation.
  */
 final class StudioRequestReader {
 
@@ -107,7 +107,7 @@ final class StudioRequestReader {
         return dragged(text("turn").equals("true") ? "robot turned" : "robot moved", order);
     }
 
-    /** All orders of one drag share a gesture number, which makes them one undoable change. */
+    /** All commands from one drag share a gesture number, which makes them one undoable change. */
     private StudioRequest dragged(String name, Order order) {
         long gesture = json.has("gesture") ? (long) number("gesture", 0, MAX_GESTURE) : 0;
         return new StudioRequest.Change(name, gesture, List.of(order));

@@ -49,7 +49,7 @@ public final class StudioServer implements Viewer.View {
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
 
-    /** Large, because browsers send the cookies of all ports of this computer. */
+    /** Large, because browsers send the cookies from all ports of this computer. */
     private static final int MAX_HEADER_BYTES = 32_768;
 
     private static final int MAX_THREADS = 12;
@@ -107,7 +107,7 @@ public final class StudioServer implements Viewer.View {
      * Starts another studio on any free port. Browsers that are signed in to the first studio are signed in to both.
      *
      * @param simulation the simulation to show and control
-     * @param first the studio whose sign-in is shared
+     * @param first the studio that shares its sign-in
      * @return the running studio
      * @throws IOException if no port can be opened; the message says what to do
      */
@@ -256,7 +256,7 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
-    /** {@return the drawings received in RoboViz's protocol} */
+    /** {@return the drawings received through RoboViz's protocol} */
     public RoboVizFeed drawings() {
         return feed.board();
     }

@@ -11,7 +11,7 @@ import org.robonewbie.studio.service.PageService;
 /**
  * Viewer in the browser; found by {@link java.util.ServiceLoader}.
  *
- * <p>Prefers the same port in each run, so that a page that is still open reconnects.
+ * <p>Prefers the same port in every run, so that a page that is still open can reconnect.
  */
 public final class StudioViewer implements Viewer {
 
@@ -27,7 +27,7 @@ public final class StudioViewer implements Viewer {
      * Shows a simulation with explicit folders.
      *
      * @param simulation the simulation to show and control
-     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
      * @return the open view
      * @throws IOException if the port cannot be opened
@@ -37,10 +37,10 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Shows the page of an event bus.
+     * Shows a simulation with the page of an event bus.
      *
-     * @param simulation the world of the studio's other pages
-     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param simulation the world that the studio's other pages show
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
      * @param board the event bus; see {@link EventBus#page} for its address
      * @return the open view
@@ -55,7 +55,7 @@ public final class StudioViewer implements Viewer {
      * Shows a simulation with exercises and programs.
      *
      * @param simulation the simulation to show and control
-     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
      * @param course the exercises
      * @param compiler compiles and starts programs
@@ -89,7 +89,7 @@ public final class StudioViewer implements Viewer {
         }
     }
 
-    /** Starts a server on a port; 0 for any free one. */
+    /** Starts a server on a given port; 0 means any free one. */
     interface Start {
         StudioServer at(int port) throws IOException;
     }

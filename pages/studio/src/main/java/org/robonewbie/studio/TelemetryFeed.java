@@ -13,7 +13,8 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
 
 /**
- * Telemetry buffer of one page: all items and agent messages of the watched robot, and the latest drawing of each other robot.
+ * Telemetry buffer of one page: all items and agent messages of the watched robot, and the latest drawing from every
+ * other robot.
  */
 final class TelemetryFeed {
 
@@ -73,7 +74,7 @@ final class TelemetryFeed {
         }
     }
 
-    /** Drains the buffer into one JSON object; empty if there is nothing. */
+    /** Drains the buffer into one JSON object; returns empty if nothing is buffered. */
     Optional<String> take() {
         if (items.isEmpty() && talk.isEmpty() && pictures.isEmpty()) {
             return Optional.empty();

@@ -15,7 +15,7 @@ final class TelemetryHistory {
 
     private final Map<String, Deque<TelemetryMessage>> robots = new HashMap<>();
 
-    /** Unique key of a robot. */
+    /** Returns the unique key of a robot. */
     static String key(String team, int number) {
         return team + "\t" + number;
     }
@@ -32,7 +32,7 @@ final class TelemetryHistory {
         }
     }
 
-    /** The telemetry of a robot, oldest first. */
+    /** Returns the telemetry of a robot, oldest first. */
     List<TelemetryMessage> of(String robot) {
         return List.copyOf(robots.getOrDefault(robot, new ArrayDeque<>()));
     }

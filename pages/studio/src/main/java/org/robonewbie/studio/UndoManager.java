@@ -13,7 +13,7 @@ import org.robonewbie.studio.scene.UndoStack;
 import org.robonewbie.studio.scene.UndoableCommand;
 
 /**
- * Executes the user's changes to the world one at a time, and undoes and redoes them. A checkpoint is taken before each
+ * Executes, undoes and redoes the user's changes to the world, one at a time. A checkpoint is taken before each
  * change.
  */
 final class UndoManager implements RestorableSimulation {
@@ -48,7 +48,7 @@ final class UndoManager implements RestorableSimulation {
      * Applies an undoable change.
      *
      * @param name description such as "ball moved"
-     * @param gesture number of the drag; all changes of one drag are undone together; 0 for none
+     * @param gesture number of the drag, 0 for none; all changes of one drag are undone together
      * @param act applies the change
      */
     void change(String name, long gesture, Runnable act) {
@@ -86,7 +86,7 @@ final class UndoManager implements RestorableSimulation {
         });
     }
 
-    /** Removes a puppet; undo lets it rejoin at its former position. */
+    /** Removes a puppet; if this is undone, the puppet rejoins at its former position. */
     void removePuppet(PlayerNumber player) {
         later(() -> {
             Checkpoint before = world.keep();
@@ -133,7 +133,7 @@ final class UndoManager implements RestorableSimulation {
         later(() -> notifier.accept(attempt(history::redo)));
     }
 
-    /** Clears the history because another world is shown. */
+    /** Clears the history; called when another world is shown. */
     void forget() {
         later(() -> {
             last = Optional.empty();

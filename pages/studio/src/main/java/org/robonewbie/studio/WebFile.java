@@ -13,7 +13,7 @@ record WebFile(byte[] content, String tag) {
         return new WebFile(content, "\"" + hash(content) + "\"");
     }
 
-    /** Base64 of the SHA-256 hash, as used in a Content-Security-Policy. */
+    /** Returns the SHA-256 hash in Base64, as used in a Content-Security-Policy. */
     static String hash(byte[] content) {
         try {
             return Base64.getEncoder()

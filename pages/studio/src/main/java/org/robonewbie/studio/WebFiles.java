@@ -19,7 +19,7 @@ import org.eclipse.jetty.util.Callback;
 
 /**
  * Static file handler for the studio's pages and the documentation, both from the class path. Paths consist of plain
- * names, so that no path can leave the folder {@code web}.
+ * names, so no path can leave the folder {@code web}.
  */
 final class WebFiles extends Handler.Abstract {
 
@@ -75,7 +75,7 @@ final class WebFiles extends Handler.Abstract {
         LINK.matcher(page).results().forEach(link -> file(link.group(1)));
     }
 
-    /** Files are cached; pages get preload links for their scripts. */
+    /** Returns a file, cached after the first access. Adds preload links for scripts to pages. */
     private Optional<WebFile> file(String name) {
         WebFile kept = files.get(name);
         if (kept != null) {

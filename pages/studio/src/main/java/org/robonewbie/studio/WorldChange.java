@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.studio.scene.Checkpoint;
 import org.robonewbie.studio.scene.UndoableCommand;
 
-/** Undoable change to the world; undo restores the checkpoint taken before it. */
+/** Undoable change to the world; undoing it restores the checkpoint that was taken before the change. */
 final class WorldChange implements UndoableCommand {
 
     private final Restore world;
@@ -27,7 +27,7 @@ final class WorldChange implements UndoableCommand {
         this.before = world.keep();
     }
 
-    /** Returns whether an order continues the same drag. */
+    /** Returns whether a command continues the same drag. */
     boolean continues(String otherName, long otherGesture) {
         return gesture != 0 && gesture == otherGesture && name.equals(otherName);
     }

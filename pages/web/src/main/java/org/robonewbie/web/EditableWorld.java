@@ -30,6 +30,6 @@ interface EditableWorld extends SteppedWorld, PuppetProvider {
      */
     void restore(WorldSnapshot before, WorldSnapshot moment);
 
-    /** {@return a connection for one more robot} */
+    /** {@return a connection for another robot} */
     AgentLink connect();
 }

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
 
-/** Attempt at an exercise whose program runs in the page's interpreter. */
+/** Attempt at an exercise; the program runs in the page's interpreter. */
 final class ExerciseAttempt implements CourseHost.Attempt {
 
     private static final int MAX_CHARACTERS = 20_000;

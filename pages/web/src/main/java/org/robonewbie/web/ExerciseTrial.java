@@ -19,7 +19,7 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.TrialListener;
 
-/** One trial of an exercise, judged as by {@code robonewbie grade}. Robots and ball cannot be moved by hand. */
+/** One trial of an exercise, judged as by {@code robonewbie grade}. The user cannot move the robots or the ball. */
 final class ExerciseTrial implements SteppedWorld {
 
     private final Task task;
@@ -60,7 +60,7 @@ final class ExerciseTrial implements SteppedWorld {
         return played.isPresent();
     }
 
-    /** {@return whether the program is stuck in an endless loop, so that further trials are pointless} */
+    /** {@return whether the program is stuck in an endless loop, which makes further trials pointless} */
     boolean isStuck() {
         return stuck;
     }

@@ -24,7 +24,7 @@ public final class FieldEdition {
     public static void main(String[] args) {}
 
     /**
-     * Runs a shipped agent alone without display.
+     * Runs a shipped agent alone, without a display.
      *
      * @param agent name of its class
      * @param seed random seed
@@ -92,7 +92,7 @@ public final class FieldEdition {
      *
      * @param method PUT, DELETE, POST, or GET for the list
      * @param name the scene
-     * @param old previous name of a scene to be renamed; else empty
+     * @param old previous name of a scene that is being renamed; otherwise empty
      * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport

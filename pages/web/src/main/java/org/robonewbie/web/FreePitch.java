@@ -32,7 +32,7 @@ final class FreePitch implements EditableWorld {
     private static final double COLUMN_METRES = -2.5;
     private static final double ROW_METRES = 1.5;
 
-    /** Time limit in cycles; a robot needs fewer to leave, or to join and stand. */
+    /** Time limit in cycles. A robot needs fewer cycles to leave, or to join and stand still. */
     private static final int MAX_CYCLES = 100;
 
     private final SteppedSimulator simulator;
@@ -54,7 +54,7 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Adds an agent; every second robot plays in the opponent team.
+     * Adds an agent; every second robot plays for the opponents.
      *
      * @param agent the agent
      * @return this pitch
@@ -73,7 +73,7 @@ final class FreePitch implements EditableWorld {
         return this;
     }
 
-    /** The first robot of each team starts at the pose that its program requests, the others behind it. */
+    /** The first robot of each team starts at the pose that its program requests; the others start behind it. */
     private static Options asNumber(int before, Options usual) {
         Options own = usual.withSeconds(StudentProgram.FOREVER_SECONDS);
         Options ofTeam = before % TEAMS == 0 ? own : own.withTeam(GUESTS).withNumber(0);
@@ -101,7 +101,7 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Replaces the student's program. The state of the world is kept if the new program brings the same robots.
+     * Replaces the student's program. The state of the world is kept if the new program has the same robots.
      *
      * @param old run of the old program
      * @param program classes of the new program
@@ -128,7 +128,7 @@ final class FreePitch implements EditableWorld {
         }
     }
 
-    /** Identities and body types of all robots. */
+    /** Returns the identities and body types of all robots. */
     private List<String> seats() {
         return simulator.snapshot(false, 1).robots().stream()
                 .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())

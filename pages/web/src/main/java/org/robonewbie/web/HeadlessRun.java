@@ -14,8 +14,8 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
 
 /**
- * A run without display, as fast as possible: the counterpart of {@code robonewbie run --headless --fast}, with the same results for the
- * same seed.
+ * A run without a display, as fast as possible: the counterpart of {@code robonewbie run --headless --fast}, with the
+ * same results for the same seed.
  */
 final class HeadlessRun {
 

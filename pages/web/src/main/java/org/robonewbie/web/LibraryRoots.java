@@ -102,7 +102,7 @@ final class LibraryRoots {
 
     private LibraryRoots() {}
 
-    /** {@return the number of these classes} */
+    /** {@return the number of classes that are kept for students' programs} */
     static int count() {
         return CLASSES.size();
     }

@@ -32,7 +32,7 @@ final class PageCalls {
         };
     }
 
-    /** Portable implementations, because the mathematical functions of browsers differ in their results. */
+    /** Calls portable implementations, because the results of mathematical functions differ between browsers. */
     private static Object mathematics(String name, double x, @Nullable Object second) {
         return switch (name) {
             case "sin" -> PortableMath.sin(x);

@@ -65,7 +65,7 @@ final class PageContext {
         return pitch;
     }
 
-    /** Starts another recording, which replaces the last one. */
+    /** Starts a new recording, which replaces the last one. */
     static RecordingTarget record() {
         RECORDINGS.add(new PageRecording());
         return RECORDINGS.getLast();
@@ -108,7 +108,7 @@ final class PageContext {
         }
     }
 
-    /** The scenes, which the browser passes before each request. */
+    /** Returns the scenes, which the browser passes before each request. */
     static SceneRepository scenes() {
         return SCENES.repository();
     }

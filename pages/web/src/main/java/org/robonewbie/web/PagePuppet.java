@@ -8,7 +8,7 @@ import org.robonewbie.agent.StartUpException;
 import org.robonewbie.agent.puppet.SteeredRobot;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** A robot that is steered by hand in a world that is advanced elsewhere. */
+/** A manually controlled robot in a world that is advanced elsewhere. */
 final class PagePuppet extends SteeredRobot {
 
     private final PatientLink link;

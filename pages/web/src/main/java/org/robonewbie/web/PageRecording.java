@@ -28,12 +28,12 @@ final class PageRecording implements RecordingTarget {
 
     @Override
     public void flush() {
-        // Data are sent in each turn of the worker.
+        // Data are sent on each turn of the worker.
     }
 
     @Override
     public void close() {
-        // Data are sent in each turn of the worker.
+        // Data are sent on each turn of the worker.
     }
 
     /**

@@ -6,7 +6,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** A world with its robots that is advanced cycle by cycle. */
+/** A world, including its robots, that is advanced cycle by cycle. */
 interface SteppedWorld {
 
     /** Advances by one cycle of 20 ms, in which each robot acts once. */
@@ -30,7 +30,7 @@ interface SteppedWorld {
     /**
      * Executes a command from the user.
      *
-     * @param order the order
+     * @param order the command
      */
     void order(Order order);
 

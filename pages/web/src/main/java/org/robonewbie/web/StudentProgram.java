@@ -24,7 +24,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * A student's program in a world that is advanced elsewhere. Calls that would wait for a simulator suspend the program until the next
- * message: {@code run} of an agent, and {@code sense} and {@code perform} of a {@code Nao}.
+ * message: an agent's {@code run}, and {@code sense} and {@code perform} of a {@code Nao}.
  */
 final class StudentProgram {
 
@@ -186,7 +186,7 @@ final class StudentProgram {
         return SpecialCalls.UNKNOWN;
     }
 
-    /** A suspended call, whose result is available when the next message has arrived. */
+    /** A suspended call; its result becomes available when the next message arrives. */
     private record Later(BooleanSupplier ready, Supplier<@Nullable Object> outcome, Runnable nextCycle)
             implements Waiting {
 
@@ -206,7 +206,7 @@ final class StudentProgram {
         }
     }
 
-    /** A suspended call of {@code perform}, which returns when the motion has ended. */
+    /** A suspended call to {@code perform}; it returns when the motion has ended. */
     private final class Performance implements Waiting {
 
         private final Nao nao;

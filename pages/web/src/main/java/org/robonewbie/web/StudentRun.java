@@ -57,7 +57,7 @@ final class StudentRun {
         }
     }
 
-    /** Ends the run with an exception, whose stack trace is shown. */
+    /** Ends the run because of an exception and shows its stack trace. */
     void fail(Throwable mistake) {
         boolean isOurs = mistake instanceof EndlessLoop;
         output.println(isOurs ? mistake.getMessage() : "Exception in thread \"main\" " + mistake);
@@ -80,7 +80,7 @@ final class StudentRun {
         leave.run();
     }
 
-    /** {@return whether it has neither exited nor been stopped} */
+    /** {@return whether the program has neither exited nor been stopped} */
     boolean isRunning() {
         return state == State.RUNNING;
     }

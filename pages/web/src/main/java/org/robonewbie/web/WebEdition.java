@@ -19,7 +19,7 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while the user programs: those of {@link FieldEdition}, and those for
+ * Functions that the page's scripts call while the user is programming: those of {@link FieldEdition}, and those for
  * students' programs and exercises. Each exported method becomes a function of the WebAssembly module.
  */
 public final class WebEdition {
@@ -40,7 +40,7 @@ public final class WebEdition {
     public static void main(String[] args) {}
 
     /**
-     * Runs a shipped agent alone without display.
+     * Runs a shipped agent alone, without a display.
      *
      * @param agent name of its class
      * @param seed random seed
@@ -87,7 +87,7 @@ public final class WebEdition {
     }
 
     /**
-     * Converts a recording to a log of a SimSpark server.
+     * Converts a recording to a SimSpark server log.
      *
      * @param recording content of the recording's file
      * @return content of the log
@@ -125,7 +125,7 @@ public final class WebEdition {
      *
      * @param method PUT, DELETE, POST, or GET for the list
      * @param name the scene
-     * @param old previous name of a scene to be renamed; else empty
+     * @param old previous name of a scene that is being renamed; otherwise empty
      * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport

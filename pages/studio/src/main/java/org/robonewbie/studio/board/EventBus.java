@@ -70,7 +70,7 @@ public abstract class EventBus {
     /**
      * Waits until no page is open. A page that is being reloaded counts as open.
      *
-     * @param elsewhere whether another page of the same studio is open
+     * @param elsewhere returns whether another page of the same studio is open
      * @throws InterruptedException if this thread is interrupted
      */
     public final synchronized void awaitUnwatched(BooleanSupplier elsewhere) throws InterruptedException {

@@ -24,7 +24,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates a JSON response.
      *
      * @param text the JSON
-     * @return the answer
+     * @return the response
      */
     public static Answer json(String text) {
         return of("application/json", bytes(text));
@@ -34,7 +34,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates a plain-text response.
      *
      * @param text the text
-     * @return the answer
+     * @return the response
      */
     public static Answer text(String text) {
         return of(TEXT, bytes(text));
@@ -45,7 +45,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      *
      * @param type the media type
      * @param content the content
-     * @return the answer
+     * @return the response
      */
     public static Answer of(String type, byte[] content) {
         return new Answer(200, type, content, "");
@@ -55,7 +55,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates a response from a file, with its version.
      *
      * @param content content of the file
-     * @return the answer
+     * @return the response
      */
     public static Answer file(byte[] content) {
         return new Answer(200, "application/octet-stream", content, FileVersion.of(content));
@@ -65,7 +65,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates the response to a written file.
      *
      * @param version the new version of the file
-     * @return the answer
+     * @return the response
      */
     public static Answer written(String version) {
         return new Answer(200, TEXT, new byte[0], version);
@@ -81,14 +81,14 @@ public record Answer(int status, String type, byte[] content, String version) {
      *
      * @param status the HTTP status
      * @param reason the problem and what to do; null for an exception without a message
-     * @return the answer
+     * @return the response
      */
     public static Answer refused(int status, @Nullable String reason) {
         return new Answer(status, TEXT, bytes(String.valueOf(reason)), "");
     }
 
     /**
-     * Sends the answer.
+     * Sends the response.
      *
      * @param response the destination
      * @param callback completed when the response has been sent

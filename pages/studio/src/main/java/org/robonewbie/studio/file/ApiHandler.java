@@ -27,7 +27,7 @@ public abstract class ApiHandler extends Handler.Abstract {
      * @return the answer; empty if the path belongs to another endpoint
      * @throws IOException if a file cannot be read or written
      * @throws IllegalArgumentException if the request is refused; the message gives the reason
-     * @throws IllegalStateException if the request is refused for now; the message gives the reason
+     * @throws IllegalStateException if the request is refused in the current state; the message gives the reason
      */
     protected abstract Optional<Answer> answer(Request request, String path) throws IOException;
 

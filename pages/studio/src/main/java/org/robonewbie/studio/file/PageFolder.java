@@ -13,8 +13,8 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
- * A folder with files of one kind that pages may read and write; they cannot access files outside it. Writes are
- * atomic, so that no reader sees a partial file.
+ * Folder of files of one kind that pages may read and write; pages cannot access files outside it. Writes are atomic,
+ * so no reader sees a partial file.
  */
 public abstract class PageFolder {
 
@@ -22,7 +22,7 @@ public abstract class PageFolder {
     private final int maxBytes;
 
     /**
-     * Creates access to a folder, which need not exist yet.
+     * Provides access to a folder, which need not exist yet.
      *
      * @param folder the folder
      * @param maxBytes maximum size of a file to read
@@ -59,7 +59,7 @@ public abstract class PageFolder {
     protected abstract String kind();
 
     /**
-     * Lists files; unreadable ones are left out.
+     * Lists files, omitting unreadable ones.
      *
      * @param paths paths as used by pages
      * @return one entry per readable file
@@ -90,13 +90,13 @@ public abstract class PageFolder {
     }
 
     /**
-     * Writes a file if it has not changed since the writer last read it, or already has this content.
+     * Writes a file if it has not changed since the writer last read it, or if it already has this content.
      *
      * @param path path as used by pages
      * @param content its new content
      * @param knownVersion the version that the writer has read; empty if the file must not exist yet
      * @return the new version
-     * @throws RefusedException if the file has changed since
+     * @throws RefusedException if the file has changed since then
      * @throws IOException if it cannot be written
      */
     public synchronized String write(String path, byte[] content, String knownVersion) throws IOException {
@@ -128,7 +128,7 @@ public abstract class PageFolder {
      * @param content its new content
      * @param knownVersion the version that the writer has read; empty if it has read none
      * @return the new version
-     * @throws RefusedException if the file has changed since
+     * @throws RefusedException if the file has changed since then
      * @throws IOException if it cannot be written
      */
     public synchronized String writeIfKnown(String path, byte[] content, String knownVersion) throws IOException {

@@ -10,7 +10,7 @@ public final class PlainFile {
     private PlainFile() {}
 
     /**
-     * Returns whether a file really lies in its folder, rather than being a link to a file elsewhere.
+     * Returns whether a file is actually in its folder, rather than a link to a file elsewhere.
      *
      * @param file a file
      * @return whether it exists and its real path is below the folder of its path

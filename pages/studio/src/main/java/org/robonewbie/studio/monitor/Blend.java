@@ -99,8 +99,8 @@ final class Blend {
     }
 
     /**
-     * Normalised linear interpolation of quaternions; the signs are aligned first, so that the rotation takes the
-     * shorter path.
+     * Interpolates quaternions linearly and normalises the result. The signs are aligned first, so that the rotation
+     * takes the shorter path.
      */
     private static Rotation blended(Rotation from, Rotation to, double part) {
         double dot = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();

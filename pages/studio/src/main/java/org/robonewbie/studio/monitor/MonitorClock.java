@@ -6,8 +6,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 
 /**
- * Estimates the cycle number of a server that sends only the game time. The game time stands still before each kick-off
- * and after the game; each message then counts as two cycles, the usual interval between messages.
+ * Estimates the cycle number of a server that sends only the game time. The game time does not advance before a
+ * kick-off or after the game; each message then counts as two cycles, the usual interval between messages.
  */
 final class MonitorClock {
 
@@ -60,12 +60,12 @@ final class MonitorClock {
         return cycle;
     }
 
-    /** The approximate number of simulated seconds per second. */
+    /** Returns the approximate number of simulated seconds per second. */
     double realTimeFactor() {
         return realTimeFactor;
     }
 
-    /** Returns whether messages arrive while the game time stands still unexpectedly, as from a paused server. */
+    /** Returns whether messages arrive while the game time stands still unexpectedly, as when the server is paused. */
     boolean isStandingStill() {
         return messagesWithoutTime > MESSAGES_UNTIL_STANDSTILL;
     }

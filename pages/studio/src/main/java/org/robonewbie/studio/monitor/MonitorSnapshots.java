@@ -21,8 +21,8 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Converts the scene graph of a monitor to world snapshots. The scene graph contains the pose of each limb but no joint angles; these
- * are computed from the relative rotation of the two limbs that a hinge connects.
+ * Converts the scene graph from a monitor port to world snapshots. The scene graph contains the pose of each limb but
+ * no joint angles; these are computed from the relative rotation of the two limbs that a hinge connects.
  */
 final class MonitorSnapshots {
 
@@ -98,7 +98,7 @@ final class MonitorSnapshots {
                 .toArray();
     }
 
-    /** The rotation about the hinge's axis that is closest to the child's rotation relative to its parent. */
+    /** Returns the hinge angle in degrees that best matches the child's rotation relative to its parent. */
     private static double degrees(Hinge hinge, TransformNode parent, TransformNode child) {
         Rotation turn = rotation(parent).inverse().after(rotation(child)).toQuaternion();
         Vector3 axis = hinge.axis();

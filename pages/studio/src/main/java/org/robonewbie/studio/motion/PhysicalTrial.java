@@ -29,13 +29,13 @@ import org.robonewbie.trial.Trial;
  * Result of playing a motion on a simulated body: the pose in every second cycle, and whether the robot fell.
  *
  * @param frames one array per pose: the torso's pose as seven numbers, then the angle of each hinge in degrees
- * @param fallSeconds time since the start of the motion at which the torso was tilted by more than 60°; empty without a fall, or if
- *     the robot did not start upright
+ * @param fallSeconds time from the start of the motion to the first fall (torso tilted by more than 60° or near the
+ *     ground); empty if the robot did not fall or did not start upright
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
-    /** Time between two frames in seconds: every second cycle. */
+    /** Time between two frames in seconds; every second cycle yields a frame. */
     static final double FRAME_SECONDS = 2 * Cycle.SECONDS;
 
     private static final int POSE_NUMBERS = 7;

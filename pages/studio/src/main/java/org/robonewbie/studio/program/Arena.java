@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 /** The pitch on which programs run; its state survives the replacement of a program. */
 public interface Arena {
 
-    /** {@return the TCP port at which programs join; empty if there is none} */
+    /** {@return the TCP port on which programs connect; empty if there is none} */
     OptionalInt agentPort();
 
     /**
@@ -28,7 +28,7 @@ public interface Arena {
         /**
          * Waits until a robot of the new program has joined, then restores the state. Gives up after a timeout.
          *
-         * @param isWanted polled while waiting; false cancels
+         * @param isWanted polled while waiting; false cancels the wait
          */
         void restore(BooleanSupplier isWanted);
     }

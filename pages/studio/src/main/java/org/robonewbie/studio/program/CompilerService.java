@@ -10,10 +10,10 @@ import org.robonewbie.programs.completion.Proposal;
 /** Compiles and starts students' programs for the pages. Thread-safe. */
 public interface CompilerService {
 
-    /** {@return folder of the programs, and working directory of their processes} */
+    /** {@return the folder of the programs, which is also the working directory of their processes} */
     Path folder();
 
-    /** {@return names of the available examples, in order} */
+    /** {@return the names of the available examples, in display order} */
     List<String> examples();
 
     /**
@@ -34,11 +34,11 @@ public interface CompilerService {
     String newProgram(Path file, Optional<String> text);
 
     /**
-     * Compiles a possibly unsaved program together with the other files of its folder.
+     * Compiles a possibly unsaved program together with the other files in its folder.
      *
      * @param file its current or future file
      * @param text content of the editor
-     * @return the diagnostics, in text order
+     * @return the diagnostics, in the order of the text
      */
     List<Remark> check(Path file, String text);
 
@@ -48,7 +48,7 @@ public interface CompilerService {
      * @param file the current or future file of the program
      * @param text content of the editor
      * @param at index of the cursor
-     * @return proposals, the most likely ones first
+     * @return the proposals, most likely first
      */
     List<Proposal> complete(Path file, String text, int at);
 
@@ -56,7 +56,7 @@ public interface CompilerService {
      * Compiles a saved program and starts it in its own process.
      *
      * @param file the program
-     * @param beforeStart called after a successful compilation, before the start
+     * @param beforeStart called after a successful compilation, before the process starts
      * @param port TCP port of the simulator
      * @return the process; empty if the program has errors, which {@link #check} reports
      * @throws IOException if the process cannot be started

@@ -38,13 +38,13 @@ final class ProgramFolder extends PageFolder {
         super(folder, MAX_BYTES);
     }
 
-    /** All files in alphabetical order, those directly in the folder first. */
+    /** Returns all files in alphabetical order, those directly in the folder first. */
     List<Entry> list() throws IOException {
         return entries(
                 Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), MAX_DEPTH).stream()));
     }
 
-    /** All files below the folder. */
+    /** Returns all files below the folder. */
     List<Entry> listAll() throws IOException {
         return entries(paths(folder(), MAX_DEPTH + 1).stream());
     }

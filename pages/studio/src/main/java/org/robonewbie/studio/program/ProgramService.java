@@ -20,11 +20,11 @@ final class ProgramService implements AutoCloseable {
     }
 
     /**
-     * Compiles a program and replaces the running one; on compile errors the old one keeps running.
+     * Compiles a program and replaces the running one, which keeps running if there are compile errors.
      *
      * @param path its path as used by pages
      * @param file its file
-     * @param fromTheStart whether the world is reset; else its state is kept
+     * @param fromTheStart whether to reset the world instead of keeping its state
      */
     synchronized ProgramRun run(String path, Path file, boolean fromTheStart) throws IOException {
         int port = arena.agentPort()

@@ -9,7 +9,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Selects the log entries and drawings that are stored beside a recording, and writes them as JSON lines. */
+/** Selects the log entries and drawings that are stored alongside a recording, and writes them as JSON lines. */
 public final class NoteLines {
 
     private static final int MAX_ENTRIES = 2000;

@@ -12,10 +12,10 @@ import java.util.zip.Inflater;
 import org.robonewbie.simulator.recording.RecordingState;
 
 /**
- * Incremental reader of a compressed recording that collects random-access points. The file may grow between two calls.
+ * Incremental reader of a compressed recording that collects random-access points. The file may grow between calls.
  *
- * <p>Random-access points are where the simulator has flushed the file: the compressed bytes {@code 00 00 FF FF} end a block there
- * (RFC 1951, an empty stored block), so that the following block starts at a byte boundary.
+ * <p>Random-access points lie where the simulator has flushed the file: the compressed bytes {@code 00 00 FF FF} end a
+ * block there (RFC 1951, an empty stored block), so the following block starts at a byte boundary.
  */
 final class PackedReader {
 

@@ -22,8 +22,9 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.file.RecordingGroup;
 
 /**
- * Index of a recording, which lets a page start reading at any cycle. Built once by reading the whole recording, and stored as
- * {@code NAME.index} beside large ones. The index of a running recording grows with it. The recording itself is never changed.
+ * Index of a recording, which lets a page start reading at any cycle. Built once by reading the whole recording, and
+ * stored as {@code NAME.index} next to large ones. The index of a recording in progress grows with it. The recording
+ * itself is never changed.
  */
 final class RecordingIndex {
 
@@ -47,7 +48,10 @@ final class RecordingIndex {
         this.whole = reader.isEmpty();
     }
 
-    /** Opens the index of a recording: the stored one if it matches, else an empty one to be filled by {@link #readOn}. */
+    /**
+     * Opens the index of a recording: the stored one if it matches, otherwise an empty one to be filled by {@link
+     * #readOn}.
+     */
     static RecordingIndex open(Path recording) throws IOException {
         Optional<RecordingIndex> kept = load(recording);
         if (kept.isPresent()) {
@@ -61,7 +65,7 @@ final class RecordingIndex {
      * Continues to build the index.
      *
      * @param recording the current file of the recording
-     * @param milliseconds time limit of this call
+     * @param milliseconds time limit for this call
      * @throws IllegalArgumentException if the file is not a recording
      */
     synchronized void readOn(Path recording, long milliseconds) throws IOException {
@@ -93,7 +97,7 @@ final class RecordingIndex {
         return whole;
     }
 
-    /** {@return index of the first cycle after each entry point} */
+    /** {@return the index of the first cycle after each entry point} */
     synchronized int[] firstMoments() {
         return points.stream().mapToInt(EntryPoint::firstMoment).toArray();
     }
@@ -103,7 +107,7 @@ final class RecordingIndex {
      *
      * @param recording the recording
      * @param piece index of the first entry point
-     * @param skipped number of bytes of the part to skip
+     * @param skipped number of bytes to skip at the start of this part
      * @return records of the recording, preceded by records that describe the state at the entry point; empty at the end
      */
     byte[] piece(Path recording, int piece, long skipped) throws IOException {
@@ -200,7 +204,7 @@ final class RecordingIndex {
         }
     }
 
-    /** Identifies a recording by its first bytes, and by its last ones, which contain the gzip checksum. */
+    /** Identifies a recording by its first and last bytes; the last ones contain the gzip checksum. */
     private static long fingerprint(Path recording, long size) throws IOException {
         CRC32 sum = new CRC32();
         sum.update(bytesAt(recording, 0, FINGERPRINT_BYTES));

@@ -18,7 +18,7 @@ import org.robonewbie.studio.file.PlainFile;
 
 /**
  * All locations where the studio looks for recordings: the user's repository, the project, and a file opened by name.
- * Pages can access only the recordings found here, so that no path leads out of these folders.
+ * Pages can access only the recordings found here, so no path leads out of these folders.
  *
  * @param repository automatically recorded runs; empty if nothing is recorded
  * @param projects folders of the project
@@ -29,8 +29,8 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
     private static final long STILL_RUNNING_MILLIS = 4000;
 
     /**
-     * {@return all recordings by the names that pages use: the one opened by name first, then the repository, then the
-     * project}
+     * {@return all recordings by the names that pages use: first the one opened by name, then those in the repository,
+     * then those of the project}
      */
     Map<String, Path> all() throws IOException {
         Map<String, Path> all = new LinkedHashMap<>();
@@ -82,7 +82,10 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
         return Optional.ofNullable(all().get(name));
     }
 
-    /** Returns whether a recording belongs to the project: by its folder, or because it was made there. */
+    /**
+     * Returns whether a recording belongs to the project: it is in one of the project's folders or was made in the
+     * project.
+     */
     boolean isOfProject(Path file, String madeIn) {
         return projects.stream().anyMatch(folder -> isIn(file, folder))
                 || (!madeIn.isEmpty()

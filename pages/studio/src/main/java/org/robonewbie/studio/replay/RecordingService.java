@@ -19,8 +19,8 @@ import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
- * Renames, stars, bookmarks, deletes and restores recordings. A deleted recording stays for an hour in the folder
- * {@code .removed} beside the other recordings.
+ * Renames, stars, bookmarks, deletes and restores recordings. A deleted recording stays for at least an hour in the
+ * folder {@code .removed} next to the other recordings.
  */
 final class RecordingService {
 
@@ -117,7 +117,7 @@ final class RecordingService {
         return Objects.requireNonNull(file.toAbsolutePath().getParent());
     }
 
-    /** Empties a bin that has been unchanged for an hour; errors are ignored. */
+    /** Empties the bin of a folder if it has not changed for an hour; ignores errors. */
     private static void emptyBin(Path folder) {
         Path bin = folder.resolve(REMOVED);
         try (Stream<Path> files = Files.list(bin)) {

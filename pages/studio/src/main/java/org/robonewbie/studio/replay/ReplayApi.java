@@ -233,7 +233,7 @@ public final class ReplayApi extends ApiHandler {
         return json.toString();
     }
 
-    /** Describes a recording; empty if the file has just been deleted. */
+    /** Returns a description of a recording; empty if the file has just been deleted. */
     private Optional<JsonObject> describe(String name, Path file) throws IOException {
         try {
             RecordingAbout about = RecordingAbout.of(file);

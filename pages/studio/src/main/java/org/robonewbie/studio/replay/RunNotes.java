@@ -16,8 +16,8 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * Stores the robots' log entries and drawings as JSON lines beside the recording of the run. They are not part of the
- * recording, so that the recording depends only on the seed, not on which robots are watched.
+ * Stores the robots' log entries and drawings as JSON lines alongside the recording of the run. They are not part of
+ * the recording, so that the recording depends only on the seed, not on which robots are watched.
  */
 public final class RunNotes {
 
@@ -59,7 +59,7 @@ public final class RunNotes {
         }
     }
 
-    /** Finds the notes file of the running recording, and deletes notes whose recording no longer exists. */
+    /** Finds the notes file of the recording in progress, and deletes the notes of recordings that no longer exist. */
     private Optional<Path> begin() throws IOException {
         if (repository.isEmpty()) {
             return Optional.empty();
@@ -75,7 +75,7 @@ public final class RunNotes {
                 .map(RunNotes::of);
     }
 
-    /** The notes file of a recording. */
+    /** Returns the notes file of a recording. */
     static Path of(Path recording) {
         return new RecordingGroup(recording).beside(RecordingGroup.NOTES);
     }

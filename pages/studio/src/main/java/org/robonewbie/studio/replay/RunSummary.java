@@ -17,7 +17,7 @@ import java.util.Map;
  * @param ball trail of the ball
  * @param ways trails of the robots
  * @param events events in chronological order
- * @param rosters line-ups with the number of cycles of each
+ * @param rosters line-ups, each with its number of cycles
  * @param header header of the recording
  */
 record RunSummary(
@@ -37,7 +37,7 @@ record RunSummary(
     /**
      * Trail of a robot.
      *
-     * @param side 0 without a team, 1 for the left team, 2 for the right team
+     * @param side side of its team: 0 for no team, 1 for the left one, 2 for the right one
      * @param places x and y in metres, sampled at equal intervals while the robot is present
      */
     record Way(int side, List<List<Double>> places) {}
@@ -60,7 +60,7 @@ record RunSummary(
     record Roster(List<Member> robots, int cycles) {}
 
     /**
-     * A robot of a line-up.
+     * A robot in a line-up.
      *
      * @param type body type such as {@code TYPE_0}
      * @param number player number

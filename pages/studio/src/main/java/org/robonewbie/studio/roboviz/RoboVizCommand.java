@@ -20,14 +20,14 @@ sealed interface RoboVizCommand {
      * @param shape {@code circle}, {@code line}, {@code point}, {@code sphere}, {@code polygon} or {@code text}
      * @param numbers positions and sizes, in the protocol's order
      * @param colour colour such as {@code #ff8800}
-     * @param opacity from 0 to 1
+     * @param opacity opacity, from 0 to 1
      * @param text the text; empty for other shapes
      */
     record Draw(String set, String shape, List<Double> numbers, String colour, double opacity, String text)
             implements RoboVizCommand {}
 
     /**
-     * Shows a text above a robot, without buffering.
+     * Shows text above a robot, without buffering.
      *
      * @param side its team
      * @param number its player number

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 
 /**
  * Teams' drawings in RoboViz's model: double-buffered sets of shapes. Shapes go to the back buffer and appear at the next swap of
- * their set. A swap clears the new back buffer, so that a swap without shapes erases the set. Thread-safe.
+ * their set. A swap clears the new back buffer, so a swap without shapes erases the set. Thread-safe.
  */
 public final class RoboVizFeed {
 

@@ -27,7 +27,7 @@ public final class RoboVizPort implements AutoCloseable {
     }
 
     /**
-     * Starts to receive.
+     * Starts receiving drawings.
      *
      * @param port UDP port of 127.0.0.1, 0 for any free one
      * @param board receives the drawings

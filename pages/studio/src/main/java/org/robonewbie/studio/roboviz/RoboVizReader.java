@@ -9,12 +9,12 @@ import java.util.Locale;
 import org.robonewbie.nao.TeamSide;
 
 /**
- * Parser of RoboViz's drawing protocol. Numbers are six ASCII characters, colours three bytes, texts zero-terminated UTF-8. As in RoboViz,
- * the first malformed command discards the rest of its datagram.
+ * Parser of RoboViz's drawing protocol. Numbers are six ASCII characters, colours three bytes, texts zero-terminated
+ * UTF-8. As in RoboViz, the rest of a datagram is discarded after the first malformed command.
  */
 final class RoboVizReader {
 
-    /** Longer datagrams are truncated. */
+    /** Maximum size of a datagram; longer ones are truncated. */
     static final int MAX_DATAGRAM_BYTES = 512;
 
     private static final int NUMBER_BYTES = 6;

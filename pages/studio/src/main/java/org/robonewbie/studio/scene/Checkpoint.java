@@ -7,7 +7,7 @@ import org.robonewbie.simulator.state.WorldState;
 /**
  * A state of the world from which a simulation can continue.
  *
- * @param before a state some cycles earlier, used to estimate velocities; the same state for a world at rest
+ * @param before the state a few cycles earlier, used to estimate velocities; for a world at rest, the same state
  * @param state the state itself
  * @param exact the bit-exact state, if it was saved
  */

@@ -21,8 +21,8 @@ public interface RestorableSimulation {
     Optional<WorldState> save();
 
     /**
-     * Restores a checkpoint and pauses the clock. The restoration is exact if the checkpoint has an exact state and the same robots play
-     * now, else approximate. Puppets replace robots that have left.
+     * Restores a checkpoint and pauses the clock. The restoration is exact if the checkpoint has an exact state and the
+     * same robots are playing; otherwise it is approximate. Puppets replace robots that have left.
      *
      * @param moment the checkpoint
      * @return how exact the restoration is
@@ -33,7 +33,7 @@ public interface RestorableSimulation {
     /**
      * Result of a restoration.
      *
-     * @param exact whether the world is restored bit for bit; else velocities are estimated
+     * @param exact whether the world is restored bit for bit; if not, velocities are estimated
      * @param agents number of agents that have restored their own states
      */
     record Restored(boolean exact, int agents) {}

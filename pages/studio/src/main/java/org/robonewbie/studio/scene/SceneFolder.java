@@ -23,7 +23,7 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * Folder of saved scenes. A scene is a recording of one cycle, so that every viewer of recordings can show it.
+ * Folder of saved scenes. A scene is a recording of one cycle, so any viewer of recordings can show it.
  *
  * @param folder the folder; it need not exist
  */
@@ -122,7 +122,9 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** Loads the exact state. Without one, or with one of another version, the scene can still be restored approximately. */
+    /**
+     * Loads the exact state. If it is missing or has another version, the scene can still be restored approximately.
+     */
     private static Optional<WorldState> exactState(Path scene) throws IOException {
         try {
             return Files.isRegularFile(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
@@ -131,12 +133,15 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** File of the exact state, present if the scene was saved from a running world. */
+    /** Returns the file of the exact state, which exists if the scene was saved from a running world. */
     private static Path exact(Path scene) {
         return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }
 
-    /** Returns an unused file name, because several scenes with the same name can be deleted in succession. */
+    /**
+     * Returns an unused file name for a deleted scene, because several scenes with the same name can be deleted in
+     * succession.
+     */
     private Path removed(String name) {
         Path first = file(name).resolveSibling(name + REMOVED);
         Path kept = first;

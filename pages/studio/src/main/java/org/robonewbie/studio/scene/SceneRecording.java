@@ -25,7 +25,7 @@ final class SceneRecording {
         }
     }
 
-    /** The bytes of an uncompressed recording. */
+    /** Returns the bytes of an uncompressed recording. */
     static byte[] toBytes(SoccerField field, WorldSnapshot state) {
         Memory recording = new Memory();
         write(recording, field, state);
@@ -43,7 +43,7 @@ final class SceneRecording {
 
         @Override
         public void flush() {
-            // Bytes are in memory already.
+            // The bytes are already in memory.
         }
 
         @Override

@@ -94,7 +94,9 @@ public final class SceneRepository implements SceneStore {
         }
     }
 
-    /** Without an exact state, or with one of another version, the scene can still be restored approximately. */
+    /**
+     * Returns the exact state. If it is missing or has another version, the scene can still be restored approximately.
+     */
     private static Optional<WorldState> state(byte[] exact) {
         try {
             return exact.length == 0 ? Optional.empty() : Optional.of(WorldState.ofBytes(exact));

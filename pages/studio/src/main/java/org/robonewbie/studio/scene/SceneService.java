@@ -40,7 +40,7 @@ public final class SceneService {
      *
      * @param method PUT saves or renames, DELETE deletes, POST restores, any other method lists the scenes
      * @param name the scene
-     * @param old previous name of a scene to be renamed; else empty
+     * @param old previous name of a scene that is being renamed; otherwise empty
      * @param replace whether saving overwrites an existing scene
      * @return the answer
      * @throws IOException if a scene cannot be read or written

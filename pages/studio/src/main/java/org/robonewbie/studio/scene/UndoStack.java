@@ -29,7 +29,7 @@ public final class UndoStack {
         }
     }
 
-    /** Clears both stacks because another world is shown. */
+    /** Clears both stacks; called when another world is shown. */
     public void clear() {
         done.clear();
         undone.clear();
@@ -49,7 +49,7 @@ public final class UndoStack {
      * Undoes the latest change.
      *
      * @return a sentence for the user
-     * @throws IOException if a file cannot be changed; the change stays done
+     * @throws IOException if a file cannot be changed; the change is not undone
      */
     public String undo() throws IOException {
         UndoableCommand command = done.peek();
@@ -65,7 +65,7 @@ public final class UndoStack {
      * Redoes the change that was undone last.
      *
      * @return a sentence for the user
-     * @throws IOException if a file cannot be changed; the change stays undone
+     * @throws IOException if a file cannot be changed; the change is not redone
      */
     public String redo() throws IOException {
         UndoableCommand command = undone.peek();

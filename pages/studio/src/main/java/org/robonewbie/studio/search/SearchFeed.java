@@ -58,7 +58,7 @@ public final class SearchFeed extends EventBus {
      * Publishes the final result.
      *
      * @param value objective value of the result
-     * @param words the outcome in a sentence
+     * @param words the outcome, as a sentence
      * @param place page that shows the result, as for {@link #reached}
      */
     public synchronized void ends(double value, String words, String place) {

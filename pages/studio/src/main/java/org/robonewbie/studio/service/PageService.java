@@ -12,7 +12,7 @@ public interface PageService {
      * Answers a request.
      *
      * @param method HTTP method
-     * @param path decoded segments of the path below that of the service
+     * @param path decoded path segments that follow the service's own path
      * @param parameters returns the value of a query parameter, empty if it is missing
      * @return JSON
      * @throws IOException if a file cannot be read or written, or no port is available

@@ -27,7 +27,7 @@ final class TrialPicture implements SimulationObserver {
     private long takenNanos = System.nanoTime() - INTERVAL_NANOS;
 
     /**
-     * Starts to observe a trial.
+     * Starts observing a trial.
      *
      * @param id name of the trial
      * @param teams names of the teams
@@ -62,12 +62,12 @@ final class TrialPicture implements SimulationObserver {
         latest = snapshot;
     }
 
-    /** Data that do not change while the trial runs. */
+    /** Returns the data that do not change while the trial runs. */
     JsonObject facts() {
         return facts;
     }
 
-    /** Current positions; empty before the first cycle. */
+    /** Returns the current positions; empty before the first cycle. */
     Optional<JsonObject> moment() {
         return Optional.ofNullable(latest).map(this::written);
     }

@@ -20,7 +20,7 @@ import org.robonewbie.studio.board.EventBus;
  */
 public final class TrialWall extends EventBus implements AutoCloseable {
 
-    /** Interval between two updates of the tiles. */
+    /** Interval between updates of the tiles, in milliseconds. */
     static final long PICTURE_MILLIS = 80;
 
     private final Gson gson = new Gson();
@@ -35,7 +35,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
      * Creates the wall of a contest that has not started.
      *
      * @param title the contest's title
-     * @param rule the rule in one or two sentences
+     * @param rule the rules, in one or two sentences
      */
     public TrialWall(String title, String rule) {
         super("wall", "wall.html");
@@ -63,7 +63,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     }
 
     /**
-     * Adds the tile of a trial that starts.
+     * Adds a tile for a trial that is starting.
      *
      * @param id name of the trial
      * @param teams names of the teams
@@ -102,7 +102,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     /**
      * Publishes the end of the contest.
      *
-     * @param words location of the results
+     * @param words sentence with the location of the results
      */
     public synchronized void isOver(String words) {
         known.addProperty("outcome", words);

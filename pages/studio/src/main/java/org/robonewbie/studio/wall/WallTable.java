@@ -8,7 +8,7 @@ import java.util.List;
  * @param over number of finished trials
  * @param planned number of trials planned so far
  * @param columns column headings
- * @param rows one row per team, the best first
+ * @param rows one row per team, best first
  */
 public record WallTable(int over, int planned, List<String> columns, List<Place> rows) {
 
@@ -21,7 +21,7 @@ public record WallTable(int over, int planned, List<String> columns, List<Place>
     /**
      * Row of one team.
      *
-     * @param rank 1 is the best; ties share a rank
+     * @param rank rank of the team, 1 for the best; teams that tie share a rank
      * @param team its name
      * @param cells one text per column
      */

@@ -39,7 +39,7 @@ export class Studio {
   #panels = paced((now) => this.#drawPanels(now), PANEL_MILLISECONDS);
 
   /**
-   * @param {URLSearchParams} options of the page's address
+   * @param {URLSearchParams} options query parameters of the page's address
    * @param {(listener: import('./live/connection.js').Listener) => import('./live/connection.js').Line} [connect]
    */
   constructor(options, connect = overSocket) {

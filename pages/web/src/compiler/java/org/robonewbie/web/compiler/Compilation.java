@@ -80,7 +80,7 @@ final class Compilation {
         return new Hints.Remark(String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
     }
 
-    /** The framework's names are read only once, since the library never changes. */
+    /** Returns the hints. The framework's names are read only once, because the library never changes. */
     private static Hints hints(MemoryFiles files) {
         Hints known = hints == null ? new Hints(names(files)) : hints;
         hints = known;

@@ -80,7 +80,7 @@ public final class CompilerInPage {
     /**
      * Returns a diagnostic as tab-separated fields: kind, file, line, first and last character, hint, and message.
      *
-     * @param index from 0
+     * @param index index of the diagnostic, from 0
      * @return the diagnostic
      */
     @JSExport
@@ -127,7 +127,7 @@ public final class CompilerInPage {
      * program's own source contains no documentation, that field is empty and two more follow: the class name and the
      * key of the documentation.
      *
-     * @param index from 0
+     * @param index index of the proposal, from 0
      * @return the proposal
      */
     @JSExport
@@ -151,7 +151,7 @@ public final class CompilerInPage {
     /**
      * Returns a compiled class file.
      *
-     * @param index from 0, in the order of {@link #classFiles}
+     * @param index index of the class file in the order of {@link #classFiles}, from 0
      * @return the class file
      */
     @JSExport

@@ -50,7 +50,7 @@ final class MemoryFiles implements JavaFileManager {
                 .add(file);
     }
 
-    /** {@return the class files compiled since the last call of {@link #forgetMade}} */
+    /** {@return the class files compiled since the last call to {@link #forgetMade}} */
     List<MemoryFile> made() {
         return made;
     }

@@ -13,7 +13,7 @@ import javax.lang.model.element.TypeElement;
 import javax.lang.model.util.Elements;
 import org.robonewbie.programs.hint.FrameworkNames;
 
-/** Collects names from RoboNewbie's classes to suggest them for misspelt names. */
+/** Collects names from RoboNewbie's classes, to be suggested in place of misspelt ones. */
 final class NamesOfTheLibrary {
 
     private final Elements elements;

@@ -38,7 +38,7 @@ export function ballShape(detail) {
   return geometry;
 }
 
-/** The vertices of the icosahedron, each the centre of a dark pentagon. */
+/** Returns the vertices of the icosahedron, each of which is the centre of a dark pentagon. */
 function pentagonCentres() {
   const places = new THREE.IcosahedronGeometry(1, 0).getAttribute('position');
   /** @type {Map<string, THREE.Vector3>} */

@@ -1,4 +1,4 @@
-/** RoboViz drawings of the teams, rendered as one mesh for all shapes and one sprite per text. */
+/** The teams' RoboViz drawings, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
 import { boardTriangles } from '../state/board-shapes.js';
 import { DrawingGroup, textLook } from './drawings.js';

@@ -1,4 +1,4 @@
-/** Camera controller: five camera modes, and how mouse and keys move the view. */
+/** Camera controller: provides five camera modes and moves the view with mouse and keys. */
 import { POSE, rotated } from '../state/kinematics.js';
 import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../state/view-point.js';
 
@@ -41,7 +41,7 @@ export class CameraController {
     this.shown = this.view;
     /** Whether the camera has reached its target view. */
     this.isStill = false;
-    /** The overview of the pitch, until the user turns the camera. @type {ViewPoint | undefined} */
+    /** The latest overview of the pitch, which is `view` until the user turns the camera. @type {ViewPoint | undefined} */
     this.whole = undefined;
     /** Whether the opening shot of a single robot is still to be composed. */
     this.isOpeningShot = false;
@@ -50,7 +50,7 @@ export class CameraController {
   }
 
   /**
-   * Chooses the view for the scene: follows a single robot, shows several from the touchline.
+   * Chooses the view for the scene: follows a single robot, or shows several from the touchline.
    *
    * @param {Scene} scene
    */
@@ -141,7 +141,7 @@ export class CameraController {
     this.view = turned(this.view, right, up);
   }
 
-  /** @param {number} factor below 1 zooms in @param {number[]} [point] stays fixed on the screen */
+  /** @param {number} factor zoom factor; below 1 zooms in @param {number[]} [point] point that stays fixed on the screen */
   zoom(factor, point) {
     this.isOpeningShot = false;
     this.view = point && !this.#followsSomething ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
@@ -167,7 +167,7 @@ export class CameraController {
   /**
    * Advances the camera.
    *
-   * @param {Float32Array[]} poses of all links of each robot
+   * @param {Float32Array[]} poses poses of all links of each robot
    * @param {number} seconds since the last call
    * @param {number[]} [ball] its position, if there is one
    * @returns {boolean} whether it has moved

@@ -1,4 +1,4 @@
-/** Drawings of the robots on the ground, rendered as one mesh for all shapes and one sprite per text. */
+/** The robots' drawings on the ground, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
 import { isDrawable, onGround, raised, trianglesOf } from '../state/drawing-shapes.js';
 
@@ -108,7 +108,7 @@ export class FieldDrawings extends DrawingGroup {
   }
 }
 
-/** @param {string} colour named by an agent @returns {string} a colour that can be drawn */
+/** @param {string} colour colour named by an agent @returns {string} a colour that can be drawn */
 function knownColour(colour) {
   if (CODE.test(colour)) {
     return colour.slice(0, colour.length < 6 ? 4 : 7);
@@ -117,7 +117,11 @@ function knownColour(colour) {
   return name in THREE.Color.NAMES ? name : 'magenta';
 }
 
-/** Material for a text with a dark outline, legible on both grass and lines. @param {string} text @param {string} colour */
+/**
+ * Creates a material for text with a dark outline, which is legible on both grass and lines.
+ *
+ * @param {string} text @param {string} colour
+ */
 export function textLook(text, colour) {
   const canvas = document.createElement('canvas');
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));

@@ -52,7 +52,7 @@ export class FieldRoom {
     this.session.touch();
   };
 
-  /** @param {boolean} on whether the previous trial of an exercise is shown beside the current one */
+  /** @param {boolean} on whether the previous trial of an exercise is shown alongside the current one */
   showGhost = (on) => {
     this.session.ghost.isOn = on;
     this.session.touch();

@@ -241,7 +241,7 @@ export class FieldView {
     }
   }
 
-  /** The size of a page pixel at a point of the scene, in metres. @param {THREE.Vector3} place */
+  /** Returns the size of a page pixel at a point in the scene, in metres. @param {THREE.Vector3} place */
   metresPerPixel(place) {
     return (2 * this.#slope * this.camera.position.distanceTo(place)) / this.#size().height;
   }
@@ -264,7 +264,7 @@ export class FieldView {
   }
 
   /**
-   * The ray through a point of the page.
+   * Returns the ray through a point on the page.
    *
    * @param {number} clientX
    * @param {number} clientY
@@ -288,7 +288,7 @@ export function rayAt({ stage, camera }, clientX, clientY) {
 }
 
 /**
- * A renderer with an opaque canvas, which is half the work for the browser's compositor.
+ * Creates a renderer with an opaque canvas, which halves the work of the browser's compositor.
  *
  * @param {boolean} antialias
  * @returns {THREE.WebGLRenderer}

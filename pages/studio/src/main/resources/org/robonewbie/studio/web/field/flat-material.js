@@ -9,7 +9,7 @@ export const HAZE_METRES = [9, 38];
 
 /**
  * @param {number} [haze] colour of the haze; no haze if omitted
- * @returns {THREE.ShaderMaterial} for geometries with the attribute `color`, see {@link screenColour}
+ * @returns {THREE.ShaderMaterial} a material for geometries with the attribute `color`; see {@link screenColour}
  */
 export function flatMaterial(haze) {
   const [near, far] = HAZE_METRES.map((metres) => metres.toFixed(1));

@@ -1,4 +1,4 @@
-/** Draws robots and ball of a finished trial as transparent ghosts beside those of the current one. */
+/** Draws the robots and the ball of a finished trial as transparent ghosts alongside those of the current one. */
 import * as THREE from 'three';
 import { BALL_RADIUS } from './ball.js';
 import { ghostMaterial } from './materials.js';

@@ -15,14 +15,14 @@ import { RobotTable } from './robot-table.js';
  * @property {number} robot index of the robot
  * @property {number} limb index of the kind of limb
  * @property {number} link index of the robot's link
- * @property {THREE.Matrix4} fit fit of the design to the robot type
+ * @property {THREE.Matrix4} fit transformation that fits the design to the robot type
  */
 
 /** Robots are drawn before the ground, much of which they hide. */
 const BEFORE_GROUND = -1;
 
 export class InstancedRobots {
-  /** @param {THREE.Material} [material] for all bodies; by default the quality decides */
+  /** @param {THREE.Material} [material] material for all bodies; by default it depends on the quality */
   constructor(material) {
     this.group = new THREE.Group();
     this.table = new RobotTable();
@@ -144,7 +144,7 @@ export class InstancedRobots {
 }
 
 /**
- * Makes a mesh show some of the robots.
+ * Makes a mesh show only the selected robots.
  *
  * @param {THREE.Mesh} mesh
  * @param {boolean[]} shown

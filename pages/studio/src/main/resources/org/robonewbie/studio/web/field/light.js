@@ -4,8 +4,8 @@ import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
 
 /**
  * @typedef {object} Palette
- * @property {number} sky at the horizon
- * @property {number} zenith at the zenith
+ * @property {number} sky colour of the sky at the horizon
+ * @property {number} zenith colour of the sky at the zenith
  * @property {number} surround ground around the pitch
  * @property {number} plain distant ground
  * @property {number} grass
@@ -90,7 +90,7 @@ export class Light {
   }
 }
 
-/** Sky dome, bright at the horizon and deeper above; it must move with the camera. */
+/** Creates the sky dome, bright at the horizon and deeper above; it must move with the camera. */
 function skyDome() {
   const geometry = new THREE.SphereGeometry(SKY_RADIUS, 12, 24).rotateX(Math.PI / 2);
   const count = geometry.getAttribute('position').count;
@@ -124,7 +124,7 @@ function paintDome(dome, palette) {
 }
 
 /**
- * Environment map of a bright room, reflected by glossy shells.
+ * Creates the environment map of a bright room, which glossy shells reflect.
  *
  * @param {THREE.WebGLRenderer} renderer
  * @returns {THREE.Texture}

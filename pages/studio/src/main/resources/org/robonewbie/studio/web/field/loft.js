@@ -10,13 +10,13 @@ import * as THREE from 'three';
  * @property {number} [y] offset of the centre
  *
  * @typedef {object} LoftOptions
- * @property {'z' | 'y' | 'x'} [axis] of the loft; default z
+ * @property {'z' | 'y' | 'x'} [axis] axis of the loft; default z
  * @property {number} [segments] facets around the axis
  * @property {number} [rings] facets along the axis
  * @property {number} [square] 2 = ellipse, more = squarer
  * @property {number} [inflate] offset of the surface, metres
- * @property {[number, number]} [around] only this range of angles: degrees, 0 = front (y), 90 = right (x)
- * @property {[number, number]} [along] only this range of the axis, from 0 to 1
+ * @property {[number, number]} [around] range of angles to which the loft is limited: degrees, 0 = front (y), 90 = right (x)
+ * @property {[number, number]} [along] range of the axis to which the loft is limited, from 0 to 1
  */
 
 const RADIANS = Math.PI / 180;
@@ -24,9 +24,9 @@ const RADIANS = Math.PI / 180;
 /**
  * Builds the surface.
  *
- * @param {Section[]} sections in ascending order
+ * @param {Section[]} sections cross-sections in ascending order
  * @param {LoftOptions} [options]
- * @returns {THREE.BufferGeometry} whose texture coordinates make the texture of a patch read correctly from outside
+ * @returns {THREE.BufferGeometry} a surface with texture coordinates such that the texture of a patch reads correctly from outside
  */
 export function loft(sections, options = {}) {
   const { segments = 20, rings = 12, around, along = [0, 1] } = options;
@@ -57,7 +57,7 @@ export function loft(sections, options = {}) {
  * Interpolates the sections with a Catmull-Rom spline.
  *
  * @param {Section[]} sections
- * @param {number} part from 0 to 1 along all sections
+ * @param {number} part position along all sections, from 0 to 1
  * @returns {Required<Section>}
  */
 function sectionAt(sections, part) {
@@ -147,11 +147,11 @@ function oriented(geometry, axis) {
 }
 
 /**
- * A cylinder with rounded edges.
+ * Builds a cylinder with rounded edges.
  *
  * @param {number} radius
  * @param {number} length
- * @param {LoftOptions} [options] with fewer than nine rings the edges are chamfered, with fewer than four they are sharp
+ * @param {LoftOptions} [options] options; with fewer than nine rings the edges are chamfered, with fewer than four they are sharp
  */
 export function barrel(radius, length, options = {}) {
   const half = length / 2;
@@ -191,7 +191,7 @@ function edgeOf(half, radius, round, rings) {
 }
 
 /**
- * An ellipsoid.
+ * Builds an ellipsoid.
  *
  * @param {number} x half width
  * @param {number} y half depth
@@ -209,7 +209,7 @@ export function ellipsoid(x, y, z, options = {}) {
 }
 
 /**
- * A flat ring or disc facing along y.
+ * Builds a flat ring or disc facing along y.
  *
  * @param {number} inner radius of the hole, 0 for a disc
  * @param {number} outer

@@ -5,7 +5,7 @@ import * as THREE from 'three';
 export const TEAM_COLOURS = { left: 0x0a6fd8, right: 0xf07f13, '': 0x8b949e };
 
 /**
- * A material for geometries with the attributes `color` and `paint`, in the colour of the robot's team.
+ * Creates a material for geometries with the attributes `color` and `paint`, in the colour of the robot's team.
  *
  * @param {boolean} glossy
  * @returns {THREE.Material}
@@ -32,7 +32,7 @@ export function robotMaterial(glossy) {
 }
 
 /**
- * A transparent shell in the colour of the robot's team.
+ * Creates the material of a transparent shell in the colour of the robot's team.
  *
  * @returns {THREE.Material}
  */
@@ -57,7 +57,7 @@ export function ghostMaterial() {
 }
 
 /**
- * The number plates: a texture of twelve cells, 0 (empty) to 11, selected by the robot's number.
+ * Creates the material of the number plates: a texture of twelve cells, 0 (empty) to 11, selected by the robot's number.
  *
  * @returns {THREE.Material}
  */

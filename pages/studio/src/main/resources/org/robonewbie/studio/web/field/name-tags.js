@@ -22,7 +22,7 @@ export class NameTags {
     stage.append(this.box);
   }
 
-  /** @param {import('../live/state-frame.js').Scene} scene with its robots */
+  /** @param {import('../live/state-frame.js').Scene} scene scene with the robots */
   setScene({ robots }) {
     this.#tags = robots.map((player) => {
       const tag = element('span', { class: 'name-tag', 'data-side': player.side }, nameOf(player));
@@ -46,7 +46,7 @@ export class NameTags {
   /**
    * Positions all name tags above their robots.
    *
-   * @param {readonly Float32Array[]} poses of all links of each robot
+   * @param {readonly Float32Array[]} poses poses of all links of each robot
    * @param {THREE.PerspectiveCamera} camera
    * @param {{width: number, height: number, slope: number}} picture its size in pixels, and the tangent of half its vertical angle of view
    */

@@ -1,6 +1,6 @@
 /**
  * Appearance of the NAO: white shells over dark joints, round eyes, parts in the team's colour. Each limb is designed in the frame of the
- * simulated robot's link: x to the robot's right, y forward, z up, in metres. Right limbs are designed, left ones are mirrored.
+ * simulated robot's link: x to the robot's right, y forward, z up, in metres. Only right limbs are designed; left ones are mirror images.
  */
 import { barrel, disc, ellipsoid, loft } from './loft.js';
 import { FOOT, FOREARM, HAND, HEAD, SHANK, SOLE, THIGH, TORSO, UPPER_ARM } from './nao-shells.js';
@@ -40,7 +40,7 @@ export const LIMBS = ['body', 'neck', 'head', ...SIDED.flatMap((name) => [`r${na
  * Builds one robot: the geometries of all links merged, each vertex in the frame of its link.
  *
  * @param {Detail} detail
- * @returns {BufferGeometry} with the attribute `limb`
+ * @returns {BufferGeometry} a geometry with the attribute `limb`
  */
 export function naoBody(detail) {
   const facets = FACETS[detail];
@@ -74,9 +74,9 @@ export function naoBody(detail) {
 }
 
 /**
- * The number plates on chest and back: two patches of the torso's surface.
+ * Builds the number plates on chest and back: two patches of the torso's surface.
  *
- * @returns {BufferGeometry} with the attribute `limb`
+ * @returns {BufferGeometry} a geometry with the attribute `limb`
  */
 export function numberPlates() {
   /** @type {LoftOptions} */
@@ -131,7 +131,7 @@ function head(facets) {
 }
 
 /**
- * An eye: a black rim that protrudes from the head, and a ring of light inside.
+ * Builds an eye: a black rim that protrudes from the head, and a ring of light inside it.
  *
  * @param {1 | -1} side
  * @param {Facets} facets

@@ -70,7 +70,7 @@ function indexOf(geometry) {
 }
 
 /**
- * The triangles without degenerate ones, which occur at the ends of bodies.
+ * Returns the triangles without the degenerate ones, which occur at the ends of bodies.
  *
  * @param {THREE.BufferGeometry} geometry
  * @returns {number[]}
@@ -109,7 +109,7 @@ export function mirrored(right) {
 /**
  * Merges limbs into one geometry whose attribute `limb` assigns each vertex to its limb.
  *
- * @param {Array<{limb: number, body: THREE.BufferGeometry}>} parts with the same attributes
+ * @param {Array<{limb: number, body: THREE.BufferGeometry}>} parts parts with the same attributes
  * @returns {THREE.BufferGeometry}
  */
 export function assembled(parts) {

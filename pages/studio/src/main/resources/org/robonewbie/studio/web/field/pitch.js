@@ -76,7 +76,7 @@ function grass(field, colours, blades) {
   return mesh;
 }
 
-/** A deterministic texture of short blades of grass in slightly different greys. */
+/** Creates a deterministic texture of short blades of grass in slightly different greys. */
 function grain() {
   const size = 256;
   const canvas = document.createElement('canvas');
@@ -127,7 +127,7 @@ function shadowSheet() {
 }
 
 /**
- * All lines as triangles on the ground.
+ * Returns all lines as triangles on the ground.
  *
  * @param {Field} field
  * @returns {number[]} x, y, z of each vertex
@@ -243,7 +243,7 @@ function bar(from, to, thickness) {
 }
 
 /**
- * The net: slopes from the crossbar to the ground behind the goal and closes both sides.
+ * Builds the net, which slopes from the crossbar to the ground behind the goal and closes both sides.
  *
  * @param {Field} field
  * @param {number} end

@@ -96,7 +96,7 @@ export class Pointing {
 
   /**
    * @param {MouseEvent} event
-   * @param {number} height of a plane above the ground, metres
+   * @param {number} height height of a plane above the ground, metres
    * @returns {THREE.Vector3 | undefined} the point on it, at most one metre beyond the pitch
    */
   groundAt(event, height) {

@@ -53,7 +53,7 @@ export class Ring {
   }
 }
 
-/** A triangle whose tip is at x = 1. */
+/** Creates a triangle with its tip at x = 1. */
 function headShape() {
   const shape = new THREE.Shape();
   shape.moveTo(0, -0.6);

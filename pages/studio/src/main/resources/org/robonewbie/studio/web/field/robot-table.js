@@ -39,7 +39,7 @@ export class RobotTable {
   }
 
   /**
-   * Starts an empty table; limbs that are never set are invisible.
+   * Replaces the table with an empty one; limbs that are never set are invisible.
    *
    * @param {number} robots
    * @param {number} limbs

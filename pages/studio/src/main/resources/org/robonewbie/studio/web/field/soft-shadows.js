@@ -65,7 +65,7 @@ export class SoftShadows {
   }
 
   /**
-   * @param {Float32Array[]} poses of all links of each robot
+   * @param {Float32Array[]} poses poses of all links of each robot
    * @param {Float32Array} ball pose
    */
   update(poses, ball) {

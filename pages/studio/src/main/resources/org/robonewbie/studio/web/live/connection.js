@@ -7,9 +7,9 @@ const MAX_MISSED_CHECKS = 10;
  * @typedef {object} Listener
  * @property {() => void} opened
  * @property {() => void} lost
- * @property {(reason: string) => void} refused the simulator is running, but refuses this page
- * @property {(news: any) => void} messageArrived a JSON message has arrived
- * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has arrived
+ * @property {(reason: string) => void} refused called if the simulator is running but refuses this page
+ * @property {(news: any) => void} messageArrived called when a JSON message has arrived
+ * @property {(bytes: ArrayBuffer) => void} frameArrived called when a state frame has arrived
  */
 
 /**
@@ -33,7 +33,7 @@ export class Connection {
   #wasRefused = false;
 
   /**
-   * @param {string} address of the live feed
+   * @param {string} address address of the live feed
    * @param {Listener} listener
    */
   constructor(address, listener) {
@@ -75,7 +75,7 @@ export class Connection {
   /**
    * Sends a command to the simulator; ignored without a connection.
    *
-   * @param {object} command such as `{do: 'pause'}`
+   * @param {object} command command such as `{do: 'pause'}`
    */
   send(command) {
     if (this.socket?.readyState === WebSocket.OPEN) {

@@ -1,10 +1,10 @@
 /**
  * Sends a request to the studio's server.
  *
- * @param {string} path below `api/`
+ * @param {string} path path below `api/`
  * @param {RequestInit} [options]
  * @returns {Promise<Response>}
- * @throws {Error} with the server's message and the property `status` if the request is refused
+ * @throws {Error} if the request is refused; the error has the server's message and the property `status`
  */
 export async function ask(path, options) {
   const answer = await fetch(`api/${path}`, options);

@@ -16,12 +16,13 @@ import { readFrame } from './state-frame.js';
 
 /**
  * @typedef {object} SessionListener receives events that are not part of the picture
- * @property {() => void} begun a simulation is connected, possibly a different one
+ * @property {() => void} begun called when a simulation is connected, possibly a different one
  * @property {(news: any) => void} telemetry
  * @property {(event: string, teams: {left: string, right: string}) => void} happened
  * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} diagnostic an error or warning from a robot's
  *     program
- * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn shapes for RoboViz
+ * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn receives the changed sets of RoboViz
+ *     shapes
  * @property {(text: string) => void} note
  */
 
@@ -39,7 +40,7 @@ export class Session {
     this.cursor = new TimeCursor();
     this.smoothing = new Smoothing();
     this.ghost = new TrialGhost();
-    /** Drawings of the robots of the running simulation. */
+    /** The robots' drawings in the running simulation. */
     this.drawn = new DrawingMemory();
     /** Whether the picture must be redrawn. */
     this.stale = true;
@@ -56,7 +57,7 @@ export class Session {
     return this.cursor.shown(this.state);
   }
 
-  /** Drawings of the robots around the shown moment. */
+  /** The robots' drawings around the shown moment. */
   get drawings() {
     return this.cursor.recorded?.drawings ?? this.drawn;
   }
@@ -118,7 +119,7 @@ export class Session {
     }
   }
 
-  /** Whether a frame equals the previous one: a paused world repeats it every second. @param {ArrayBuffer} bytes */
+  /** Returns whether a frame equals the previous one: a paused world repeats it every second. @param {ArrayBuffer} bytes */
   #repeats(bytes) {
     const [last, next] = [this.#lastBytes, new Uint8Array(bytes)];
     this.#lastBytes = next;
@@ -132,7 +133,7 @@ export class Session {
   }
 
   /**
-   * The robot at an index of the shown scene, with the posture at the shown moment.
+   * Returns the robot at an index in the shown scene, with its posture at the shown moment.
    *
    * @param {number} index
    * @returns {{name: string, degrees: ArrayLike<number>} | undefined}

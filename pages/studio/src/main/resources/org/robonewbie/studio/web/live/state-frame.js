@@ -51,7 +51,7 @@
  * @property {{left: string, right: string}} teams
  * @property {Player[]} robots
  * @property {Thing[]} [things] other objects on the pitch
- * @property {Object<string, RobotModel>} models by robot type
+ * @property {Object<string, RobotModel>} models models by robot type
  * @property {string[]} playModes
  * @property {number} [agentPort] port for agents, if they can join
  * @property {boolean} [clock] whether the clock can be paused

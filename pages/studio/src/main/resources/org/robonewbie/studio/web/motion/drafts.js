@@ -1,4 +1,4 @@
-/** Autosaves unsaved work as drafts on the disk, so that it survives a crash and opening another motion. */
+/** Autosaves unsaved work as drafts on disk, so that it survives a crash or the opening of another motion. */
 import { documentOf, framesOf, isUnsaved } from '../state/motion/editor-state.js';
 
 /**
@@ -56,7 +56,7 @@ export class Drafts {
     return this.#last;
   }
 
-  /** Chooses a name with the first free number, so that no draft of another motion or window is replaced. */
+  /** Chooses a name with the lowest free number, so that no draft of another motion or window is replaced. */
   async newName() {
     const { own, drafts } = await this.files.list();
     const taken = new Set([...own, ...drafts].map(({ name }) => name));

@@ -223,7 +223,7 @@ export class Editor {
    * Opens an imported motion.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
-   * @param {string} name of the file
+   * @param {string} name name of the file
    * @param {readonly string[]} notes remarks about the import
    */
   async take(document, name, notes) {
@@ -240,7 +240,7 @@ export class Editor {
   }
 
   /**
-   * Whether a motion makes the robot fall under the current playback rule, but not under that of RoboNewbie 1.1.
+   * Returns whether a motion makes the robot fall under the current playback rule, but not under that of RoboNewbie 1.1.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
    */

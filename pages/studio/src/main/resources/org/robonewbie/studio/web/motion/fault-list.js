@@ -1,4 +1,4 @@
-/** Lists, over the motion editor's 3D view, the faults at the shown moment. */
+/** Lists the faults at the shown moment in an overlay on the motion editor's 3D view. */
 import { element } from '../panels/elements.js';
 
 /** @typedef {import('../state/motion/faults.js').Fault} Fault */

@@ -13,7 +13,7 @@ import { ask } from './questions.js';
  * @param {Editor} editor
  * @param {(work: Promise<unknown>) => void} run
  * @param {import('./orders.js').Order[]} orders
- * @returns {() => void} updates the lists
+ * @returns {() => void} function that updates the lists
  */
 export function filesPanel(place, editor, run, orders) {
   const panel = new FilesPanel(editor, run);

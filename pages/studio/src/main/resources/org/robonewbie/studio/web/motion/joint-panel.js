@@ -30,7 +30,7 @@ const MAX_DEGREES = 360;
  * @param {HTMLElement} place
  * @param {Body} body
  * @param {JointEditor} editor
- * @returns {(state: EditorState) => void} updates the angles
+ * @returns {(state: EditorState) => void} function that updates the angles
  */
 export function jointPanel(place, body, editor) {
   const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
@@ -98,7 +98,7 @@ function listenToSlider(slider, turn) {
 }
 
 /**
- * The arrow keys Up and Down turn by one degree, with Shift by ten.
+ * Makes the Up and Down arrow keys turn the joint by one degree, or by ten with Shift.
  *
  * @param {HTMLInputElement} number
  * @param {(degrees: number) => void} turn

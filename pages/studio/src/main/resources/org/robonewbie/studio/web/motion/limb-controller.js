@@ -15,11 +15,11 @@ import { chainJoints, limbOf, ownJoints, followed, torsoMoved } from '../state/m
  * @property {number} y
  * @property {number} link
  * @property {number[]} local the grabbed point in the limb's frame
- * @property {THREE.Plane} plane in which the point is dragged
+ * @property {THREE.Plane} plane plane in which the point is dragged
  * @property {number[]} from last position of the point
- * @property {number[]} posture when the drag began
+ * @property {number[]} posture posture at the start of the drag
  * @property {number[]} reached posture reached so far
- * @property {number[]} torso when the drag began
+ * @property {number[]} torso pose of the torso at the start of the drag
  * @property {string} gesture
  */
 
@@ -76,7 +76,7 @@ export class LimbController {
     };
   }
 
-  /** The plane in which a limb is dragged. @param {number[]} [point] */
+  /** Returns the plane in which a limb is dragged. @param {number[]} [point] */
   #planeThrough(point) {
     const plane = new THREE.Plane();
     if (point) {

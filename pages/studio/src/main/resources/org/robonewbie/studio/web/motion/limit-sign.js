@@ -1,4 +1,4 @@
-/** Shows, over the motion editor's 3D view, which joint limit stops a dragged limb. */
+/** Shows which joint limit stops a dragged limb, in an overlay on the motion editor's 3D view. */
 import { element, setText } from '../panels/elements.js';
 import { jointName } from '../state/motion/names.js';
 
@@ -10,7 +10,7 @@ const AT_LIMIT_DEGREES = 0.1;
 /**
  * @param {HTMLElement} place container of the 3D view
  * @param {Body} body
- * @returns {(joint: number | undefined) => void} shows the joint at its limit, or hides the sign
+ * @returns {(joint: number | undefined) => void} function that shows the joint at its limit, or hides the sign
  */
 export function limitSign(place, body) {
   const sign = element('p', { class: 'panel centred limit-sign', role: 'status', hidden: '' });
@@ -31,7 +31,7 @@ export function farFrom(target, point) {
 /**
  * @param {Body} body
  * @param {readonly number[]} posture
- * @param {readonly number[]} joints that take part in the drag
+ * @param {readonly number[]} joints joints that take part in the drag
  * @param {number} metres distance between limb and pointer
  * @returns {number | undefined} the joint that blocks the limb
  */

@@ -24,7 +24,7 @@ export class MotionPicture {
     this.heldTorso = undefined;
   }
 
-  /** The shown posture with the pose of its torso. */
+  /** Returns the shown posture with the pose of its torso. */
   posedNow() {
     const { state } = this.editor;
     const posture = postureNow(state);
@@ -77,7 +77,7 @@ export class MotionPicture {
     return frame && { torso: frame.slice(0, 7), hinges: frame.slice(7) };
   }
 
-  /** The planned posture at this time, placed at the physical robot's torso. @param {readonly number[]} torso @returns {Figure} */
+  /** Returns the planned posture at this time, placed at the physical robot's torso. @param {readonly number[]} torso @returns {Figure} */
   #planAt(torso) {
     const { state, lag } = this.editor;
     const posture = lag ? lag.planned[lagFrame(lag, state.time)] : postureNow(state);
@@ -86,7 +86,7 @@ export class MotionPicture {
   }
 
   /**
-   * The ghosts: the physical robot if there is a trial, otherwise the keyframes before and after.
+   * Returns the ghosts: the physical robot if there is a trial, otherwise the previous and the next keyframe.
    *
    * @param {readonly number[]} torso
    * @returns {Array<Figure | undefined>}
@@ -105,7 +105,7 @@ export class MotionPicture {
     return state.playing ? [] : [state.last - 1, next].map((index) => this.#ghostOf(index));
   }
 
-  /** @param {number} index of a keyframe */
+  /** @param {number} index index of a keyframe */
   #ghostOf(index) {
     const { state } = this.editor;
     const posture = framesOf(state)[index]?.degrees;

@@ -116,7 +116,7 @@ export class MotionStage {
   }
 
   /**
-   * The ray through a point of the page.
+   * Returns the ray through a point on the page.
    *
    * @param {number} clientX
    * @param {number} clientY

@@ -24,7 +24,7 @@ import { ask, askName } from './questions.js';
  *
  * @typedef {object} Order
  * @property {string} id
- * @property {string} name on the button
+ * @property {string} name name on the button
  * @property {string} hint
  * @property {string[]} keys names of the keys in the browser
  * @property {string} shown label of the keys
@@ -133,7 +133,7 @@ function order(id, name, hint, keys, shown, act) {
  * @param {string} id
  * @param {string} name
  * @param {string} hint
- * @param {string[]} keys pressed together with Ctrl
+ * @param {string[]} keys keys pressed together with Ctrl
  * @param {() => void} act
  * @returns {Order}
  */
@@ -163,7 +163,7 @@ async function saveAs(editor) {
   return name === undefined ? undefined : editor.save(name);
 }
 
-/** Whether saving needs a name: a motion of the library is saved under a new name. @param {Editor} editor */
+/** Returns whether saving needs a name: a motion from the library is saved under a new name. @param {Editor} editor */
 function needsName({ state, list }) {
   return state.name === '' || (state.version === '' && list.library.includes(state.name));
 }

@@ -5,7 +5,7 @@ const WATCHING_HINT =
   'Shows the robot of the trial, with the plan as a ghost; otherwise the plan, with the robot as an orange ghost';
 const UPRIGHT_HINT = 'Keeps the torso upright instead of laying the lower sole flat on the ground';
 
-/** Mouse help shown in the 3D view. */
+/** Creates the mouse help shown in the 3D view. */
 export function stageHint() {
   return element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay');
 }

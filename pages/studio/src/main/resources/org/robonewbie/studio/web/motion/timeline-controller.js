@@ -21,7 +21,7 @@ import { ROW } from './timeline-rows.js';
  * @property {number} y pixels from the top of its part
  * @property {number} time milliseconds
  * @property {number} frame index of the grabbed keyframe, or -1
- * @property {number} joint of the row or curve, or -1
+ * @property {number} joint joint of the row or curve, or -1
  *
  * @typedef {object} Grip
  * @property {'scrub' | 'box' | 'time' | 'angle' | 'point'} action

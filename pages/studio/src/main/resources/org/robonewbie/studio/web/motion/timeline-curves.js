@@ -28,7 +28,7 @@ const MAX_LINES = 6;
  * @param {EditorState} state
  * @param {number} height pixels
  * @param {Lag | undefined} lag
- * @returns {AngleScale} that covers the curves and nearby limits
+ * @returns {AngleScale} a scale that covers the curves and nearby limits
  */
 export function angleScale(state, height, lag) {
   const joints = chosenJoints(state);

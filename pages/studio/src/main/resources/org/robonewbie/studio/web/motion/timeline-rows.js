@@ -17,7 +17,7 @@ const STILL_DEGREES = 0.05;
 /**
  * @param {EditorState} state
  * @param {TimeScale} scale
- * @param {Lag | undefined} lag of the physical robot
+ * @param {Lag | undefined} lag lag of the physical robot
  * @returns {SVGElement[]}
  */
 export function drawRows(state, scale, lag) {

@@ -16,7 +16,7 @@ export const SIDE = 24;
 
 /**
  * @param {import('../state/motion/time-view.js').TimeView} view
- * @param {number} length of the displayable range, milliseconds
+ * @param {number} length length of the displayable range, milliseconds
  * @param {number} width pixels
  * @returns {TimeScale}
  */

@@ -75,7 +75,7 @@ export class Timeline {
   /**
    * @param {EditorState} state
    * @param {readonly Mark[]} marks
-   * @param {Lag | undefined} lag of the physical robot
+   * @param {Lag | undefined} lag lag of the physical robot
    */
   draw(state, marks, lag) {
     const kinds = this.pointer.grip ? this.kinds : kindsOf(marks);

@@ -17,7 +17,7 @@ const MOTION = ['balance', 'mirror-all', 'reverse', 'scale', 'export'];
  * @param {Editor} editor
  * @param {Order[]} orders
  * @param {{button: HTMLButtonElement, draw: () => void}} take
- * @returns {() => void} updates names and enabled states
+ * @returns {() => void} function that updates names and enabled states
  */
 export function toolbar(place, editor, orders, take) {
   const title = element('strong', { class: 'file-name', id: 'file-name' });
@@ -55,7 +55,7 @@ function drawHistory(buttons, { past, present, future }) {
   say('redo', future.length > 0 ? `Redo: ${future[0].label} (Ctrl Y)` : 'Nothing to redo');
 }
 
-/** @param {string} id of an action @param {Editor} editor */
+/** @param {string} id ID of an action @param {Editor} editor */
 function isPossible(id, { state, clip }) {
   const frames = framesOf(state).length;
   /** @type {Record<string, boolean>} */

@@ -16,7 +16,7 @@ import { orderButton } from './toolbar.js';
  * @typedef {import('./orders.js').Order} Order
  *
  * @typedef {object} Actions
- * @property {(millis: number) => void} setTime of the selected keyframe
+ * @property {(millis: number) => void} setTime sets the time of the selected keyframe
  * @property {(start: string) => void} tryPhysically
  * @property {(text: string) => void} note
  */

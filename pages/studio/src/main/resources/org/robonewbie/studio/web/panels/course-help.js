@@ -28,7 +28,7 @@ export class CourseHelp {
     this.#solve.hidden = true;
   }
 
-  /** @param {string} exercise whose help is shown */
+  /** @param {string} exercise exercise whose help is shown */
   async show(exercise) {
     if (exercise !== this.#exercise) {
       this.#program.hidden = true;

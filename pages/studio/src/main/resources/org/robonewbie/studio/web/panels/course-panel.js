@@ -45,7 +45,7 @@ export class CoursePanel {
   /**
    * @param {(text: string) => void} note
    * @param {() => void} goLive shows the present
-   * @param {(on: boolean) => void} showGhost of the previous trial
+   * @param {(on: boolean) => void} showGhost shows or hides the ghost of the previous trial
    */
   constructor(note, goLive, showGhost) {
     this.#note = note;

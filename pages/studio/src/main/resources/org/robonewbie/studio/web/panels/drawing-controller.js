@@ -56,7 +56,7 @@ export class DrawingController {
     this.#list(memory.kinds);
   }
 
-  /** @param {ReadonlyMap<string, ReadonlySet<string>>} kinds of drawings made by each robot */
+  /** @param {ReadonlyMap<string, ReadonlySet<string>>} kinds kinds of drawings made by each robot */
   #list(kinds) {
     const listing = [...kinds].map(([robot, made]) => `${robot}\n${[...made].join()}`).join('\n');
     if (listing !== this.listed) {

@@ -74,7 +74,7 @@ export function check(id, text, hint, changed) {
 /**
  * Offers a file for download.
  *
- * @param {string} name of the file
+ * @param {string} name name of the file
  * @param {string | Blob} content
  * @param {string} [type] MIME type of a text
  */

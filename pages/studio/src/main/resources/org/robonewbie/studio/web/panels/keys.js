@@ -118,7 +118,7 @@ function isAskedBy(action, event) {
   return action.keys.includes(keyOf(event)) && Boolean(action.ctrl) === hasCtrl(event);
 }
 
-/** The key without Caps Lock: a capital letter only together with Shift. @param {KeyboardEvent} event */
+/** Returns the key regardless of Caps Lock: a capital letter only if Shift is pressed. @param {KeyboardEvent} event */
 function keyOf({ key, shiftKey }) {
   const isLetter = key.length === 1;
   return isLetter && shiftKey ? key.toUpperCase() : isLetter ? key.toLowerCase() : key;

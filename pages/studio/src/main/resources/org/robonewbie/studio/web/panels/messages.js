@@ -6,7 +6,7 @@ import { byId, element, setText } from './elements.js';
 
 const NOTE_MILLISECONDS = 6000;
 
-/** @returns {(state: StudioState, now: number) => void} updates the banner */
+/** @returns {(state: StudioState, now: number) => void} function that updates the banner */
 export function banner() {
   return (state, now) => showBanner(message(state, now));
 }
@@ -34,7 +34,7 @@ export function showBanner(shown) {
   setText(text, shown.text);
 }
 
-/** @returns {(text: string) => void} shows a note for some seconds */
+/** @returns {(text: string) => void} function that shows a note for a few seconds */
 export function notes() {
   const panel = byId('toast');
   let timer = 0;

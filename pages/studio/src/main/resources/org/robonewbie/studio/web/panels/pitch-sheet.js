@@ -2,9 +2,9 @@
 import { shape } from './drawing.js';
 
 /**
- * @param {number} length of the pitch in metres
+ * @param {number} length length of the pitch in metres
  * @param {number} width
- * @param {...Node} content in metres, y pointing down
+ * @param {...Node} content content in metres, with y pointing down
  */
 export function pitchSheet(length, width, ...content) {
   const line = { class: 'line' };

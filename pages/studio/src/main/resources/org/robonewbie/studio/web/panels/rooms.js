@@ -15,7 +15,7 @@ const ROOMS = [
 
 /**
  * @param {(room: RoomName) => void} entered
- * @returns {() => RoomName} returns the current room
+ * @returns {() => RoomName} function that returns the current room
  */
 export function roomsPanel(entered) {
   const links = ROOMS.map(({ room, name, hint, part = '' }) =>

@@ -1,4 +1,4 @@
-/** Scenes: saves the present state under a name and restores it any number of times. */
+/** Scenes: saves the current state under a name and restores it any number of times. */
 import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
 import { button, byId, choice, element, setEntries } from './elements.js';
@@ -32,7 +32,7 @@ export async function startFrom(recording, moment) {
 /**
  * @param {(text: string) => void} note
  * @param {() => void} goLive shows the present
- * @returns {(state: import('../state/studio-state.js').StudioState) => void} updates the scenes
+ * @returns {(state: import('../state/studio-state.js').StudioState) => void} function that updates the scenes
  */
 export function scenePanel(note, goLive) {
   const panel = new ScenePanel(note, goLive);
@@ -145,7 +145,7 @@ class ScenePanel {
     return ask(`scenes/${pathPart(scene)}${how}`, { method });
   }
 
-  /** Clears the field, unless another name has been typed meanwhile. @param {string} used */
+  /** Clears the field, unless another name has been typed in the meantime. @param {string} used */
   #forgetName(used) {
     this.name.value = this.name.value.trim() === used ? '' : this.name.value;
   }

@@ -4,7 +4,7 @@ import { byId, element, setText } from './elements.js';
 
 /** @typedef {import('../state/studio-state.js').StudioState} StudioState */
 
-/** @returns {(state: StudioState, now: number) => void} updates the score board */
+/** @returns {(state: StudioState, now: number) => void} function that updates the score board */
 export function scoreBoardPanel() {
   const left = element('span', { class: 'team left' });
   const right = element('span', { class: 'team right' });

@@ -21,7 +21,7 @@ const PICTURE_KEY = 'robonewbie-picture';
  * @param {boolean} options.shadows
  * @param {(on: boolean) => void} options.setShadows
  * @param {(shown: Picture) => void} options.show
- * @returns {(state: StudioState) => void} updates the camera buttons
+ * @returns {(state: StudioState) => void} function that updates the camera buttons
  */
 export function cameraPanel(camera, options) {
   const buttons = CAMERAS.map(({ mode, name, hint }, i) => {
@@ -64,7 +64,7 @@ function pictureChecks(show) {
 
 /**
  * @param {(command: object) => void} send
- * @returns {(state: StudioState) => void} updates the referee's buttons
+ * @returns {(state: StudioState) => void} function that updates the referee's buttons
  */
 export function trainerPanel(send) {
   const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' }, [], (mode) =>

@@ -1,4 +1,4 @@
-/** Split view: panels side by side with edges that mouse and arrow keys move; the browser stores the layout. */
+/** Split view: panels side by side, with edges that can be moved with mouse and arrow keys; the browser stores the layout. */
 import { EDGE_PIXELS, LAYOUTS, placed, restoredLayout, toggled, widthOf, withEdgeMoved } from '../state/layout.js';
 import { element } from './elements.js';
 import { keep, recall } from './memory.js';
@@ -36,7 +36,7 @@ export class SplitView {
     new ResizeObserver(() => requestAnimationFrame(() => this.draw())).observe(place);
   }
 
-  /** Whether panels lie beside the 3D view; otherwise the 3D view fills the page. */
+  /** Whether panels are shown next to the 3D view; otherwise the 3D view fills the page. */
   get isOn() {
     return this.#isOn;
   }
@@ -48,7 +48,7 @@ export class SplitView {
     this.draw();
   }
 
-  /** The preset of panels beside the 3D view. @param {import('../state/layout.js').PresetName} preset */
+  /** Sets the preset of panels next to the 3D view. @param {import('../state/layout.js').PresetName} preset */
   set preset(preset) {
     if (preset !== this.#preset) {
       this.#preset = preset;

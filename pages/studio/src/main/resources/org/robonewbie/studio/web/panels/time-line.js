@@ -7,7 +7,7 @@ import { button, byId, element, setText } from './elements.js';
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} updates the line
+ * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} function that updates the line
  */
 export function timeLinePanel(cursor, changed) {
   const place = byId('time-line');

@@ -35,7 +35,7 @@ export function timeActions(now, send) {
 
 /**
  * @param {Actions} actions
- * @returns {(state: StudioState) => void} updates the controls
+ * @returns {(state: StudioState) => void} function that updates the controls
  */
 export function transportPanel(actions) {
   const parts = partsOf(actions);

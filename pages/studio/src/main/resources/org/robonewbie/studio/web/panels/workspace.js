@@ -1,4 +1,4 @@
-/** View presets (the 3D view alone, or with the panels of one robot beside it), and the collapsible tools over the 3D view. */
+/** View presets (the 3D view alone, or with the panels of one robot next to it), and the collapsible tools over the 3D view. */
 import { button, byId } from './elements.js';
 import { keep, recall } from './memory.js';
 import { SplitView } from './split-view.js';
@@ -31,9 +31,9 @@ const WIDE_PIXELS = 900;
 export class Workspace {
   /** @type {RoomName} */
   #room = 'field';
-  /** The robot shown by both 3D view and panels. */
+  /** The robot shown by both the 3D view and the panels. */
   #robot = 0;
-  /** Whether panels lie beside a replay, and whether the tools are expanded in each view. */
+  /** Whether panels are shown next to a replay, and whether the tools are expanded in each view. */
   #kept = { replay: false, tools: { watch: innerWidth > WIDE_PIXELS, understand: false }, ...recall(KEY, {}) };
 
   /** @param {(room: 'robot' | 'program') => Promise<void> | void} openPanels creates the panels on first use */
@@ -62,7 +62,7 @@ export class Workspace {
   }
 
   /**
-   * Makes 3D view and panels show the same robot; the most recent choice wins.
+   * Makes the 3D view and the panels show the same robot; the most recent choice wins.
    *
    * @param {{chosen: number}} picture
    * @param {{chosen: number}} panels

@@ -39,7 +39,7 @@ import { SAID_LINES, showMessages, showValues } from './said-lines.js';
  * @typedef {import('../state/program/remarks.js').Mistake} Mistake
  *
  * @typedef {object} Listener
- * @property {() => void} changed by the user
+ * @property {() => void} changed called when the user has changed the text
  * @property {import('@codemirror/autocomplete').CompletionSource} complete
  * @property {() => void} save
  * @property {() => void} run
@@ -100,7 +100,7 @@ export class CodeEditor {
     }
   }
 
-  /** @param {readonly Remark[]} remarks from the compiler */
+  /** @param {readonly Remark[]} remarks remarks from the compiler */
   setRemarks(remarks) {
     this.#remarks = remarks;
     const { state } = this.view;
@@ -113,7 +113,7 @@ export class CodeEditor {
     this.#say();
   }
 
-  /** @param {readonly Mistake[]} mistakes made by the running program */
+  /** @param {readonly Mistake[]} mistakes mistakes made by the running program */
   setMistakes(mistakes) {
     this.#mistakes = mistakes;
     this.#say();

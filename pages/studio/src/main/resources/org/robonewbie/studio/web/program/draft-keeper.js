@@ -1,4 +1,4 @@
-/** Autosaves unsaved text as a draft beside the file, so that it survives a crash and edits in another window. */
+/** Autosaves unsaved text as a draft next to the file, so that it survives a crash and edits in another window. */
 import { isOpenToChange, isUnsaved, written } from '../state/program/documents.js';
 
 const DRAFT_MILLISECONDS = 400;
@@ -15,7 +15,7 @@ export class DraftKeeper {
   #isKept = true;
   /** Version of the draft that this window last read or wrote, empty if there is none. Another window may have written a newer one. */
   #version = '';
-  /** Serialises the writes, because each needs the version of the one before. @type {Promise<unknown>} */
+  /** Serialises the writes, because each one needs the version written by the previous one. @type {Promise<unknown>} */
   #last = Promise.resolve();
 
   /**
@@ -46,7 +46,7 @@ export class DraftKeeper {
     this.begin('');
   }
 
-  /** Makes the next draft replace that of another window. @param {string} version version of that draft */
+  /** Makes the next draft replace the one from another window. @param {string} version version of that draft */
   replace(version) {
     this.#version = version;
   }

@@ -86,7 +86,7 @@ export class FileController {
     }
   }
 
-  /** @param {string} path of one of the user's programs */
+  /** @param {string} path path of one of the user's programs */
   async openOwn(path) {
     const isSaved = this.list.own.some((each) => each.path === path);
     const isDraft = this.list.drafts.some((each) => each.path === path);

@@ -1,6 +1,6 @@
 import { element } from '../panels/elements.js';
 
-/** A line above the program. @param {string} text @param {...HTMLElement} actions @returns {HTMLElement} */
+/** Creates a line above the program. @param {string} text @param {...HTMLElement} actions @returns {HTMLElement} */
 export function note(text, ...actions) {
   return element('div', { class: 'program-note', role: 'status' }, element('p', {}, text), ...actions);
 }

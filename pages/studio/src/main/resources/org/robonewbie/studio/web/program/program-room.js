@@ -1,4 +1,4 @@
-/** The program room: editor, compiler and the running program, beside the robot. */
+/** The program room: editor, compiler and the running program, next to the robot. */
 import { element } from '../panels/elements.js';
 import { sidePanel } from '../panels/side-panel.js';
 import { isOpenToChange, programAt } from '../state/program/documents.js';
@@ -17,7 +17,7 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} goLive
  * @property {(command: object) => void} send
  * @property {(panel: import('../state/layout.js').PanelName) => void} fold
- * @property {() => readonly import('../live/state-frame.js').Player[]} robots on the pitch now
+ * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
  */
 
 const CHECK_MILLISECONDS = 300;

@@ -170,14 +170,14 @@ export class RunController {
     this.state.dataset.tone = this.#hasMistakes ? 'trouble' : tone;
   }
 
-  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks from the compiler */
+  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks remarks from the compiler */
   showRemarks(text, remarks) {
     this.#remarks = text;
     this.#hasMistakes = remarks.some(({ serious }) => serious);
     this.draw();
   }
 
-  /** Called after an edit; shows values at the right lines. */
+  /** Called after an edit; shows values at the correct lines. */
   edited() {
     this.#valuesAt = 0;
   }

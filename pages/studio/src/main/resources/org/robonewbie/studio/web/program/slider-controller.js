@@ -34,7 +34,7 @@ export class SliderController {
     this.#chosen.forget();
   }
 
-  /** @param {DeclaredNumber} number declared by the running program */
+  /** @param {DeclaredNumber} number number declared by the running program */
   receive(number) {
     const slider = this.#sliders.get(number.name) ?? this.#add(number);
     slider.number = number;

@@ -9,11 +9,11 @@ import { addBookmark, attempt, deleteBookmark } from './recording-api.js';
  * @typedef {object} Actions
  * @property {() => number} now the index of the shown moment
  * @property {(index: number) => void} goTo
- * @property {() => Promise<void>} changed the list of recordings must be reloaded
+ * @property {() => Promise<void>} changed called when the list of recordings must be reloaded
  * @property {(text: string) => void} note
  */
 
-/** @param {string} name of a recording @param {number} seconds @returns {string} address fragment of this moment */
+/** @param {string} name name of a recording @param {number} seconds @returns {string} address fragment of this moment */
 export const momentLink = (name, seconds) => `#replay/${encodeURIComponent(name)}@${seconds}`;
 
 export class BookmarkList {

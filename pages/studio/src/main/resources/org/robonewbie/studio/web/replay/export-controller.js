@@ -13,7 +13,7 @@ import { loadLog } from './recording-api.js';
  * @property {(text: string) => void} note
  * @property {() => RecordingFile | undefined} file
  * @property {() => Section} section the exported section
- * @property {() => import('../field/camera-controller.js').CameraController} camera whose view is used for videos
+ * @property {() => import('../field/camera-controller.js').CameraController} camera returns the camera that videos use
  */
 
 /** Thrown when the user has cancelled the export. */

@@ -1,4 +1,4 @@
-/** Exports of recordings: a table, a self-contained page, the log of a SimSpark server. */
+/** Exports of recordings: a table, a self-contained page, a SimSpark server log. */
 import { RecordingWriter } from '../state/replay/recording-writer.js';
 import { mainRoster, tableHead, tableRows } from '../state/replay/table.js';
 

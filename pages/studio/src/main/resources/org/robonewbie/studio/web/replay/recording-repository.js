@@ -42,7 +42,7 @@ export class RecordingRepository {
   /**
    * @param {object} listener
    * @param {(name: string) => void} listener.choose
-   * @param {() => Promise<void>} listener.changed the list must be reloaded
+   * @param {() => Promise<void>} listener.changed called when the list must be reloaded
    * @param {(from: string, to: string) => void} listener.renamed `to` is empty if the recording was deleted
    * @param {(text: string) => void} listener.note
    */

@@ -96,7 +96,11 @@ export class ReplayBar {
     );
   }
 
-  /** A button that performs the action of a key. @param {string} id @param {string} name @param {string} hint @param {string} key */
+  /**
+   * Creates a button that performs the action of a key.
+   *
+   * @param {string} id @param {string} name @param {string} hint @param {string} key
+   */
   #key(id, name, hint, key) {
     const made = button(name, `${hint} (${key})`, () => this.actions.press(key), { id });
     this.keys.push(made);

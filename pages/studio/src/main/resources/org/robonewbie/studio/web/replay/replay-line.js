@@ -79,7 +79,7 @@ function markOf(event, x) {
   return shape('path', look, title(eventText(event)));
 }
 
-/** Legend of the marks. */
+/** Creates the legend of the marks. */
 export function legend() {
   const kinds = /** @type {Array<RecordedEvent['kind']>} */ (Object.keys(NAMES));
   const entries = kinds.map((kind) => {

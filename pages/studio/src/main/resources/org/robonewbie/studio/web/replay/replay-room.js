@@ -280,7 +280,7 @@ class ReplayRoom {
     }
   }
 
-  /** The section to export: the repeated one, or everything. @returns {import('./exports.js').Section} */
+  /** Returns the section to export: the repeated one, or the whole recording. @returns {import('./exports.js').Section} */
   #section() {
     const [from, to] = this.state.loop ?? [0, this.state.count - 1];
     return [Math.round(from), Math.round(to)];

@@ -20,7 +20,7 @@ export class SceneMemory {
     this.models = models;
   }
 
-  /** @param {Moment} moment @param {Record<string, string>} header of the recording @returns {Scene} */
+  /** @param {Moment} moment @param {Record<string, string>} header header of the recording @returns {Scene} */
   at(moment, header) {
     const { robots: roster, game } = moment;
     const known = this.#roster === roster ? this.#scene : undefined;

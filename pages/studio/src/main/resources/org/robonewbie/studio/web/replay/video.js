@@ -1,4 +1,6 @@
-/** Recordings as videos: each frame is rendered for its exact time, independent of the rendering speed, and encoded by the browser. */
+/**
+ * Exports recordings as videos: each frame is rendered for its exact time, independent of the rendering speed, and encoded by the browser.
+ */
 import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
 import { element } from '../panels/elements.js';
@@ -35,7 +37,7 @@ const MISSING =
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @param {import('./exports.js').Section} section
  * @param {import('./exports.js').Progress} progress
- * @param {CameraController} camera of the view to record
+ * @param {CameraController} camera camera of the view to record
  * @returns {Promise<Blob>} a WebM file
  */
 export async function videoOf({ run }, models, [from, to], progress, camera) {
@@ -58,7 +60,7 @@ export async function videoOf({ run }, models, [from, to], progress, camera) {
   }
 }
 
-/** Offscreen picture of the field in the size of the video, with score and time. */
+/** Offscreen picture of the field at the size of the video, with score and time. */
 class VideoStage {
   canvas = element('canvas', { width: String(WIDTH), height: String(HEIGHT) });
   #place = element('div', { class: 'video-stage', 'aria-hidden': 'true' });
@@ -78,7 +80,7 @@ class VideoStage {
     this.pen = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
   }
 
-  /** @param {Moment} moment @param {Record<string, string>} header of the recording */
+  /** @param {Moment} moment @param {Record<string, string>} header header of the recording */
   draw(moment, header) {
     const scene = this.scenes.at(moment, header);
     const isFirst = this.#scene === undefined;

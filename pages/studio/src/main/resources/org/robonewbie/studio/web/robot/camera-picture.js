@@ -16,7 +16,7 @@ const FLAG = 'm-1.2 -1.2h2.4v2.4h-2.4z';
 
 /**
  * @param {HTMLElement} place
- * @returns {(seen: Senses['seen'], team: string) => void} updates the picture; `team` is the robot's own team
+ * @returns {(seen: Senses['seen'], team: string) => void} function that updates the picture; `team` is the robot's own team
  */
 export function cameraPicture(place) {
   const svg = shape('svg', {

@@ -1,4 +1,4 @@
-/** All joints of a robot: position in the range, angle, measured speed and commanded speed. */
+/** All joints of a robot: position within the range, angle, measured speed and commanded speed. */
 import { element, setText } from '../panels/elements.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { fixed } from '../state/numbers.js';

@@ -1,4 +1,4 @@
-/** Plots of any values over time, several curves per plot, with one cursor that is shared with all rooms. */
+/** Plots of arbitrary values over time, several curves per plot, with one cursor that is shared with all rooms. */
 import { button, choice, element, offer, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { fixed } from '../state/numbers.js';
@@ -123,7 +123,7 @@ export class PlotController {
   }
 
   /**
-   * The visible range: the last seconds; for a past moment, centred on it.
+   * Returns the visible range in seconds: the most recent seconds, or a range centred on a past moment.
    *
    * @param {RobotMoment} moment
    * @param {boolean} isLive

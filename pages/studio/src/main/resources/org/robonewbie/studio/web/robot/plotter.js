@@ -96,7 +96,7 @@ function listenToClicks(plot, seek) {
   });
 }
 
-/** Axes in the colours of the theme. @param {(name: string) => string} colour */
+/** Returns axes in the colours of the theme. @param {(name: string) => string} colour */
 export function axes(colour) {
   const axis = {
     stroke: () => colour('--faint'),
@@ -111,7 +111,7 @@ export function axes(colour) {
 }
 
 /**
- * Range of the vertical axis with margins; a constant curve is centred.
+ * Returns the range of the vertical axis with margins; a constant curve is centred.
  *
  * @param {any} _
  * @param {number | null} min

@@ -56,7 +56,7 @@ function believedSelf(torso, side, self) {
   );
 }
 
-/** Forward is up, left is left. @param {number[]} position @returns {[string, string]} */
+/** Converts a position relative to the robot to the map, where forward is up. @param {number[]} position @returns {[string, string]} */
 function at([forward, left]) {
   return [(-left).toFixed(3), (-forward).toFixed(3)];
 }

@@ -46,7 +46,11 @@ export function searchPlot(place, curves) {
 /** Tick distances: whole rounds only. */
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
-/** Range of the horizontal axis, with space for a single round. @param {any} _ @param {number | null} min @param {number | null} max */
+/**
+ * Returns the range of the horizontal axis, with space for a single round.
+ *
+ * @param {any} _ @param {number | null} min @param {number | null} max
+ */
 function wholeRounds(_, min, max) {
   return [Math.min(1, min ?? 1), Math.max(2, max ?? 2)];
 }

@@ -3,7 +3,7 @@
  *
  * @typedef {object} BoardShape
  * @property {'circle' | 'line' | 'point' | 'sphere' | 'polygon' | 'text' | 'agent'} shape
- * @property {number[]} [numbers] in the order of RoboViz's protocol, metres; line thickness and point size are in pixels there
+ * @property {number[]} [numbers] numbers in the order of RoboViz's protocol, in metres; line thickness and point size are in pixels there
  * @property {string} colour
  * @property {number} [opacity]
  * @property {string} text
@@ -42,7 +42,7 @@ function over(z) {
   return Math.abs(z) < OVER_GROUND ? OVER_GROUND : z;
 }
 
-/** Two crossed ribbons, so that a line is visible from all sides. @param {Point} a @param {Point} b @param {number} half */
+/** Returns two crossed ribbons, so that a line is visible from all sides. @param {Point} a @param {Point} b @param {number} half */
 function beam(a, b, half) {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const flat = Math.hypot(dx, dy);
@@ -83,7 +83,7 @@ function fan(numbers) {
   ).flat();
 }
 
-/** @param {Point} a @param {Point} b @param {Point} c beside a @param {Point} d beside b */
+/** @param {Point} a @param {Point} b @param {Point} c next to a @param {Point} d next to b */
 function quad(a, b, c, d) {
   return [...a, ...b, ...c, ...c, ...b, ...d];
 }

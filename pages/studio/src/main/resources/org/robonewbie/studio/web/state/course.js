@@ -68,7 +68,7 @@ export function hints({ judged }) {
  *
  * @param {Lesson} lesson
  * @param {string[]} programs
- * @returns {string} empty if none of them is likely
+ * @returns {string} the program; empty if none of them is likely
  */
 export function likelyProgram(lesson, programs) {
   return programs.includes(lesson.file) ? lesson.file : '';

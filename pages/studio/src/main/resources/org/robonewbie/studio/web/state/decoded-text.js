@@ -54,7 +54,7 @@ export function decodeText(bytes) {
 /**
  * @param {Source} source encoding of the file
  * @param {string} content the changed text
- * @returns {Uint8Array<ArrayBuffer>} in the same encoding, or in UTF-8 if the text is not representable
+ * @returns {Uint8Array<ArrayBuffer>} the text in the same encoding, or in UTF-8 if it is not representable
  */
 export function encodeText(source, content) {
   const text = source.hasByteOrderMark ? MARK + content : content;
@@ -70,7 +70,7 @@ export function encodeText(source, content) {
   }
 }
 
-/** @param {Source} source @param {string} content @returns {Encoding} used by {@link encodeText} for the text */
+/** @param {Source} source @param {string} content @returns {Encoding} the encoding that {@link encodeText} uses for the text */
 export function encodingFor(source, content) {
   return source.encoding === 'Windows-1252' && !bytesOf1252(content) ? 'UTF-8' : source.encoding;
 }
@@ -105,7 +105,7 @@ function marked(encoding, decoded) {
   return { encoding, hasByteOrderMark, content: hasByteOrderMark ? decoded.slice(1) : decoded };
 }
 
-/** @param {Uint8Array} bytes @returns {string | undefined} undefined if they are not UTF-8 */
+/** @param {Uint8Array} bytes @returns {string | undefined} the text; undefined if the bytes are not UTF-8 */
 function utf8(bytes) {
   try {
     return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
@@ -138,7 +138,7 @@ function refuseDamagedUtf8(bytes) {
   }
 }
 
-/** Length of the UTF-8 sequence at an index; 0 if it is invalid. @param {Uint8Array} bytes @param {number} at */
+/** Returns the length of the UTF-8 sequence at an index; 0 if it is invalid. @param {Uint8Array} bytes @param {number} at */
 function utf8Length(bytes, at) {
   const lead = bytes[at];
   const limits = [0x80, 0xc2, 0xe0, 0xf0, 0xf5];
@@ -152,7 +152,7 @@ function utf8Length(bytes, at) {
 }
 
 /**
- * Whether a well-formed UTF-8 sequence is a valid character: neither a surrogate nor overlong.
+ * Returns whether a well-formed UTF-8 sequence is a valid character: neither a surrogate nor overlong.
  *
  * @param {Uint8Array} bytes
  * @param {number} at
@@ -217,7 +217,7 @@ function windows1252(bytes) {
 
 /**
  * @param {string} text
- * @returns {Uint8Array | undefined} undefined if a character is not representable, or if the bytes would be decoded differently
+ * @returns {Uint8Array | undefined} the bytes; undefined if a character is not representable or they would be decoded differently
  */
 function bytesOf1252(text) {
   const codes = Array.from(text, (letter) => codeOf1252(letter));

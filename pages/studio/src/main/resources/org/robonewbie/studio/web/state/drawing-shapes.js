@@ -12,7 +12,7 @@ const CIRCLE_PARTS = 48;
 const POINT_PARTS = 16;
 
 /**
- * @param {ArrayLike<number>} poses of all links of a robot, the torso first
+ * @param {ArrayLike<number>} poses poses of all links of a robot, the torso first
  * @param {number} head link index of its head
  * @returns {Stand}
  */
@@ -76,7 +76,7 @@ export function ring([x, y], inner, outer, parts) {
   ).flat();
 }
 
-/** @param {number[]} a @param {number[]} b @param {number[]} c beside a @param {number[]} d beside b */
+/** @param {number[]} a @param {number[]} b @param {number[]} c next to a @param {number[]} d next to b */
 function quad(a, b, c, d) {
   return [...a, ...b, ...c, ...c, ...b, ...d];
 }

@@ -1,5 +1,5 @@
 /**
- * Validates file names that work on Windows, macOS and Linux, in the letters of any language. The rules are those of the Java class
+ * Checks that file names work on Windows, macOS and Linux; letters of any language are allowed. The rules are those of the Java class
  * FileName. Pure.
  */
 
@@ -21,7 +21,7 @@ const WRONG = [
 ];
 
 /**
- * Normalises a name: macOS writes some letters as two characters, other systems as one.
+ * Normalises a name: macOS writes some letters as two characters, other systems write them as one.
  *
  * @param {string} name
  * @returns {string} the normalised name

@@ -11,7 +11,7 @@ export class GoalReplay {
   /** @type {number | undefined} */
   #goal;
 
-  /** @param {number} cycle in which a goal was scored */
+  /** @param {number} cycle cycle in which a goal was scored */
   scored(cycle) {
     this.#goal = cycle;
     this.at = undefined;

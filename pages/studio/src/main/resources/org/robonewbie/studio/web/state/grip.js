@@ -18,7 +18,7 @@ export function ringRadius(kind, metresPerPixel) {
 }
 
 /**
- * Whether a point on the ground is on the ring.
+ * Returns whether a point on the ground is on the ring.
  *
  * @param {ArrayLike<number>} centre
  * @param {ArrayLike<number>} point
@@ -40,12 +40,13 @@ export function headingTo(centre, point) {
 }
 
 /**
- * The flight of the ball when released: the longer the drag, the faster.
+ * Returns the flight of the ball when it is released: the longer the drag, the faster the ball.
  *
  * @param {ArrayLike<number>} ball
  * @param {ArrayLike<number>} point pointer position
  * @param {boolean} high whether it flies over robots
- * @returns {{velocity: [number, number, number], speed: number} | undefined} metres per second; undefined if it does not move
+ * @returns {{velocity: [number, number, number], speed: number} | undefined} velocity and speed in metres per second; undefined if the ball
+ *     does not move
  */
 export function throwOf(ball, point, high) {
   const [x, y] = [point[0] - ball[0], point[1] - ball[1]];

@@ -19,11 +19,11 @@
  * @property {number} minDegrees
  * @property {number} maxDegrees
  * @property {string} effector name of the effector in messages
- * @property {number} maxSpeed of its motor, degrees per second
+ * @property {number} maxSpeed maximum speed of its motor, degrees per second
  *
  * @typedef {object} RobotModel
- * @property {Link[]} links the torso first
- * @property {Hinge[]} hinges parents before children
+ * @property {Link[]} links links, the torso first
+ * @property {Hinge[]} hinges hinges, parents before children
  */
 
 const HALF_RADIANS_PER_DEGREE = Math.PI / 360;
@@ -77,7 +77,7 @@ export function rotated(poses, link, vector) {
 }
 
 /**
- * The heading of a robot.
+ * Returns the heading of a robot.
  *
  * @param {ArrayLike<number>} torso pose of its torso
  * @returns {number} degrees, 0 along x towards the right goal, counter-clockwise
@@ -88,7 +88,7 @@ export function headingDegrees(torso) {
 }
 
 /**
- * The height at which a robot stands upright with these joint angles.
+ * Returns the height at which a robot stands upright with these joint angles.
  *
  * @param {RobotModel} model the robot's body
  * @param {ArrayLike<number>} degrees its joint angles

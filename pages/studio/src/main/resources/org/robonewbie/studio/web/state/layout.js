@@ -71,7 +71,7 @@ export const UNDERSTAND = {
   ],
 };
 
-/** The program beside its robot. @type {Record<Width, Layout>} */
+/** The program next to its robot. @type {Record<Width, Layout>} */
 export const PROGRAM = {
   wide: [
     { part: 0.52, panels: [open('code', 1)] },
@@ -84,7 +84,7 @@ export const PROGRAM = {
   narrow: [{ part: 1, panels: [open('picture', 0.4), open('code', 0.6), folded('said', 0.3)] }],
 };
 
-/** Panels beside the 3D view, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
+/** Panels next to the 3D view, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
 export const LAYOUTS = { understand: UNDERSTAND, program: PROGRAM };
 
 /** @param {number} pixels @returns {Width} the matching layout width */
@@ -167,7 +167,11 @@ function withParts(list, first, second, by) {
   );
 }
 
-/** The nearest expanded panels above and below an edge, -1 if there is none. @param {readonly Panel[]} panels @param {number} panel */
+/**
+ * Returns the nearest expanded panels above and below an edge; -1 if there is none.
+ *
+ * @param {readonly Panel[]} panels @param {number} panel
+ */
 function neighbours(panels, panel) {
   const above = panels.findLastIndex((each, i) => i <= panel && !each.folded);
   return [above, panels.findIndex((each, i) => i > panel && !each.folded)];

@@ -40,7 +40,7 @@ export class LiveHistory {
     return this.kept.at(-1)?.cycle ?? 0;
   }
 
-  /** @param {number} cycle @returns {number} index of the last frame that is not later, or of the first one */
+  /** @param {number} cycle @returns {number} index of the last frame that is not later than the cycle, or of the first frame */
   indexOf(cycle) {
     return Math.max(0, partitionPoint(this.kept.length, (i) => this.kept[i].cycle <= cycle) - 1);
   }

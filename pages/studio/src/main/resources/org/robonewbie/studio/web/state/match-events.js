@@ -16,7 +16,7 @@ const FOULS = {
 };
 
 /**
- * @param {string} event in the format of recordings, such as `foul CHARGING left 3`
+ * @param {string} event event in the format of recordings, such as `foul CHARGING left 3`
  * @param {{left: string, right: string}} teams
  * @returns {string} a sentence, empty for events shown elsewhere
  */

@@ -28,7 +28,7 @@ export function roundStep(min) {
   return [1, 2, 5].map((each) => each * decade).find((each) => each >= min) ?? 10 * decade;
 }
 
-/** @param {number} degrees @returns {number} with four decimals, which exceeds the precision of any motor; never -0 */
+/** @param {number} degrees @returns {number} the angle rounded to four decimals, which exceeds the precision of any motor; never -0 */
 export function fourDecimals(degrees) {
   return Math.round(degrees * 1e4) / 1e4 + 0;
 }

@@ -1,7 +1,7 @@
 /**
  * Finds by binary search how many entries at the start of a list satisfy a condition.
  *
- * @param {number} length of the list
+ * @param {number} length length of the list
  * @param {(index: number) => boolean} isBefore true for the entries at the start and false for all others
  * @returns {number} how many entries satisfy it, which is the index of the first that does not
  */

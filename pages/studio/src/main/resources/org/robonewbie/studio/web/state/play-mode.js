@@ -25,7 +25,7 @@ const OF_A_TEAM = {
  *
  * @param {string} name SimSpark's name, such as `KickOff_Left`
  * @param {{left: string, right: string}} teams team names, empty before the teams have joined
- * @returns {string} such as `Kick-off · Blue Newbies`
+ * @returns {string} text such as `Kick-off · Blue Newbies`
  */
 export function playModeText(name, teams) {
   const match = /^(.*)_(left|right)$/i.exec(name);

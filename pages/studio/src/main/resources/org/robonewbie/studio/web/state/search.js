@@ -43,7 +43,7 @@ export function initialSearch() {
 
 /**
  * @param {Search} search
- * @param {any} news a message of the live feed
+ * @param {any} news a message from the live feed
  * @returns {Search}
  */
 export function withNews(search, news) {
@@ -59,7 +59,7 @@ export function withoutLine(search) {
   return { ...search, place: '', phase: phaseWithoutLine(search.phase) };
 }
 
-/** Columns of the objective plot: round, best, mean, start. @param {Search} search */
+/** Returns the columns of the objective plot: round, best, mean, start. @param {Search} search */
 export function valueCurves({ rounds, before }) {
   return [
     rounds.map((round) => round.number),
@@ -69,7 +69,7 @@ export function valueCurves({ rounds, before }) {
   ];
 }
 
-/** Columns of the step size plot. @param {Search} search */
+/** Returns the columns of the step size plot. @param {Search} search */
 export function stepCurve({ rounds }) {
   return [rounds.map((round) => round.number), rounds.map((round) => round.step)];
 }
@@ -107,7 +107,7 @@ export function sentence(search) {
   });
 }
 
-/** @param {number} seconds @returns {string} such as 1:05:09 */
+/** @param {number} seconds @returns {string} text such as 1:05:09 */
 export function duration(seconds) {
   const whole = Math.max(0, Math.round(seconds));
   const two = (/** @type {number} */ number) => String(number).padStart(2, '0');
@@ -116,7 +116,7 @@ export function duration(seconds) {
 }
 
 /**
- * The numbers with the largest changes, with the ends of their bars between 0 and 1.
+ * Returns the numbers with the largest changes, with the ends of their bars between 0 and 1.
  *
  * @param {readonly SearchedNumber[]} numbers
  * @param {number} max maximum number of entries

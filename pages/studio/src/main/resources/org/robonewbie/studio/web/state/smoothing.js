@@ -50,7 +50,7 @@ export class Smoothing {
   }
 
   /**
-   * Whether the picture still changes without a new frame.
+   * Returns whether the picture still changes without a new frame.
    *
    * @param {number} now milliseconds
    */
@@ -99,7 +99,7 @@ function blendRobot(from, to, part) {
  *
  * @param {Float32Array} from
  * @param {Float32Array} to
- * @param {number} part from 0 to 1
+ * @param {number} part interpolation parameter, from 0 to 1
  */
 export function blendPose(from, to, part) {
   if (isJump(from, to)) {

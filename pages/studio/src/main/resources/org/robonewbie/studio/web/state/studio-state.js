@@ -191,7 +191,7 @@ function waiting(title, text) {
 }
 
 /**
- * The content of the score board.
+ * Returns the content of the score board.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
@@ -212,7 +212,7 @@ export function scoreBoard(state, now) {
 }
 
 /**
- * The state of the time controls.
+ * Returns the state of the time controls.
  *
  * @param {StudioState} state
  */
@@ -229,7 +229,7 @@ export function transport(state) {
 }
 
 /**
- * The selectable speed nearest to the requested one.
+ * Returns the selectable speed nearest to the requested one.
  *
  * @param {number} speed
  * @returns {number | string}
@@ -243,7 +243,7 @@ export function nearestSpeed(speed) {
 }
 
 /**
- * The next faster or slower speed.
+ * Returns the next faster or slower speed.
  *
  * @param {number} speed the requested speed
  * @param {1 | -1} direction

@@ -1,6 +1,6 @@
 /**
  * Time cursor, shared by all rooms: the present, an earlier moment of the running simulation, or a moment of a recording. The simulation
- * continues meanwhile.
+ * continues in the meantime.
  */
 import { LiveHistory } from './live-history.js';
 
@@ -11,7 +11,7 @@ import { LiveHistory } from './live-history.js';
  * @typedef {import('./replay/recorded-run.js').RecordedRun} RecordedRun
  *
  * @typedef {object} RecordedMoment
- * @property {string} name of the recording
+ * @property {string} name name of the recording
  * @property {Scene} scene
  * @property {Frame} frame
  * @property {RecordedRun} run the whole recording
@@ -46,7 +46,7 @@ export class TimeCursor {
     this.recorded = undefined;
   }
 
-  /** @param {number} cycle of the running simulation */
+  /** @param {number} cycle cycle of the running simulation */
   goTo(cycle) {
     this.recorded = undefined;
     const { first, last } = this.history;

@@ -1,4 +1,4 @@
-/** Ghost of the previous trial of an exercise, shown beside the current one. Pure. */
+/** Ghost of the previous trial of an exercise, shown alongside the current one. Pure. */
 import { LiveHistory } from './live-history.js';
 
 /**
@@ -37,7 +37,7 @@ export class TrialGhost {
   }
 
   /**
-   * The same moment of the previous trial, preferably of one with the same seed, which started identically.
+   * Returns the same moment of the previous trial, preferably of one with the same seed because it started identically.
    *
    * @param {Scene | undefined} scene @param {Frame | undefined} frame shown moment
    * @returns {{scene: Scene, frame: Frame} | undefined}

@@ -30,7 +30,7 @@ export function turned(view, azimuthDegrees, elevationDegrees) {
 
 /**
  * @param {ViewPoint} view
- * @param {number} factor below 1 zooms in
+ * @param {number} factor zoom factor; below 1 zooms in
  * @returns {ViewPoint}
  */
 export function zoomed(view, factor) {
@@ -74,7 +74,7 @@ export function eye(view) {
  * Zooms towards a point, which keeps its position on the screen.
  *
  * @param {ViewPoint} view
- * @param {number} factor below 1 zooms in
+ * @param {number} factor zoom factor; below 1 zooms in
  * @param {number[]} point
  * @returns {ViewPoint}
  */
@@ -109,7 +109,7 @@ export function fitted(view, points, free) {
 }
 
 /**
- * A point in the camera frame, relative to the target: right, up, and towards the camera.
+ * Returns a point in the camera frame, relative to the target: right, up, and towards the camera.
  *
  * @param {ViewPoint} view
  * @param {readonly number[]} point
@@ -123,7 +123,7 @@ function seenFrom({ target, azimuthDegrees, elevationDegrees }, point) {
 }
 
 /**
- * A view of the whole pitch with both goals.
+ * Returns a view of the whole pitch with both goals.
  *
  * @param {{length: number, width: number}} field
  * @param {FreeView} free
@@ -151,7 +151,7 @@ const OPENING_DISTANCES = [2.1, 9];
 const ROBOT_REACH = 0.3;
 
 /**
- * An over-the-shoulder view of a robot, with the ball and the goal that it attacks.
+ * Returns an over-the-shoulder view of a robot, with the ball and the goal that it attacks.
  *
  * @param {number[]} target centre of the robot
  * @param {number[]} ball

@@ -49,7 +49,7 @@ export function initialWall() {
 
 /**
  * @param {Wall} wall
- * @param {any} news a message of the live feed
+ * @param {any} news a message from the live feed
  * @returns {Wall}
  */
 export function withWallNews(wall, news) {
@@ -104,7 +104,7 @@ export function wallSentence(wall) {
 }
 
 /**
- * The caption of a tile.
+ * Returns the caption of a tile.
  *
  * @param {Tile} tile
  * @returns {{teams: string, time: string, mode: string}}

@@ -4,7 +4,7 @@
  * @typedef {import('./body.js').Body} Body
  *
  * @typedef {object} Balance
- * @property {number[]} centre of mass, metres
+ * @property {number[]} centre centre of mass, metres
  * @property {number[][]} support corners of the support polygon, counter-clockwise
  * @property {number} margin metres from the centre of mass to the nearest edge; negative outside
  */

@@ -37,7 +37,8 @@ const FEET = ['lfoot', 'rfoot'];
 
 /**
  * @param {EditorState} state
- * @returns {{state: EditorState, report: BalanceReport}} for the selected keyframes if there are several, otherwise for all
+ * @returns {{state: EditorState, report: BalanceReport}} the result for the selected keyframes if there are several, otherwise for all
+ *     keyframes
  */
 export function madeBalanced(state) {
   const chosen = chosenFrames(state);
@@ -108,7 +109,12 @@ function shiftedOver(body, posture, torso) {
   return best.posture.map((angle, i) => (angle === posture[i] ? angle : Math.round(100 * angle) / 100 + 0));
 }
 
-/** Displacement of the centre of mass away from the edges that are too near. @param {Balance} balance @returns {[number, number]} metres */
+/**
+ * Returns the displacement that moves the centre of mass away from edges that are too near.
+ *
+ * @param {Balance} balance
+ * @returns {[number, number]} metres
+ */
 function wayInside({ support, centre }) {
   /** @type {[number, number]} */
   const way = [0, 0];

@@ -4,7 +4,7 @@
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
  *
  * @typedef {object} JointFacts
- * @property {string} name such as LEFT_KNEE_PITCH
+ * @property {string} name name such as LEFT_KNEE_PITCH
  * @property {number} minDegrees
  * @property {number} maxDegrees
  * @property {number} maxDegreesPerSecond
@@ -51,8 +51,8 @@ export function hingeDegrees(body, posture) {
 
 /**
  * @param {Body} body
- * @param {ArrayLike<number>} degrees in the order of the model's hinges
- * @returns {number[]} in the order of the motion files
+ * @param {ArrayLike<number>} degrees angles in the order of the model's hinges
+ * @returns {number[]} the same angles in the order of the motion files
  */
 export function postureOfHinges(body, degrees) {
   const posture = new Array(body.joints.length).fill(0);
@@ -162,10 +162,10 @@ function middleOfFeet(body, poses) {
 }
 
 /**
- * The rotation that places the lower sole flat on the ground, or both if they are equally low.
+ * Returns the rotation that places the lower sole flat on the ground, or both soles if they are equally low.
  *
  * @param {Body} body
- * @param {Float64Array} poses with an upright torso
+ * @param {Float64Array} poses poses with an upright torso
  * @returns {number[]} quaternion
  */
 function fromSole(body, poses) {

@@ -36,7 +36,7 @@ const TIMES = [
   { names: ['time_s', 'time', 't', 'seconds', 's'], millis: 1000, isWay: false },
 ];
 
-/** @param {readonly Keyframe[]} frames @param {Body} body @returns {string} durations in milliseconds, angles in degrees */
+/** @param {readonly Keyframe[]} frames @param {Body} body @returns {string} table with durations in milliseconds and angles in degrees */
 export function writeCsv(frames, { joints }) {
   const head = [TIMES[0].names[0], ...joints.map(({ name }) => name)].join(',');
   const rows = playedFrames(frames).map(({ millis, degrees }) => [millis, ...degrees].map(numberText).join(','));

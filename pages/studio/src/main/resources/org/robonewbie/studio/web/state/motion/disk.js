@@ -9,7 +9,7 @@ import { isUnsaved } from './editor-state.js';
  * Decides whether a changed file can be reloaded immediately, or whether the user must choose.
  *
  * @param {EditorState} state
- * @param {Array<{name: string, version: string}>} files on the disk
+ * @param {Array<{name: string, version: string}>} files files on disk
  * @returns {'same' | 'reload' | 'ask' | 'gone'}
  */
 export function judgeDisk(state, files) {

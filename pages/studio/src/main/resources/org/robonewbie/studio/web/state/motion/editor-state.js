@@ -21,19 +21,19 @@
  * @property {number} last selected keyframe, at the playhead
  * @property {readonly number[]} chosen all selected keyframes
  * @property {readonly number[]} rows the selected joints of these keyframes, empty for all
- * @property {number} time of the playhead, milliseconds
+ * @property {number} time time of the playhead, milliseconds
  * @property {boolean} playing
  * @property {boolean} looping
  * @property {number} speed playback speed, 1 for real time
  * @property {boolean} symmetric whether edits are mirrored to the other side
  * @property {'upright' | 'soles'} manner how the robot is placed on the ground
  * @property {boolean} ghosts whether the neighbouring keyframes are shown too
- * @property {number} joint whose curve is shown
+ * @property {number} joint joint whose curve is shown
  * @property {number[]} start posture before the motion
  * @property {Trial | undefined} trial
  * @property {boolean} watching whether the robot of the trial is shown rather than the plan
  * @property {boolean} alone whether moved keyframes leave those after them in place
- * @property {'rows' | 'curves'} layout of the timeline
+ * @property {'rows' | 'curves'} layout layout of the timeline
  * @property {import('./time-view.js').TimeView} view the part of the motion that the timeline shows
  */
 import { changed, historyOf, redone, undone } from './history.js';
@@ -212,7 +212,7 @@ export function postureNow(state) {
  *
  * @param {EditorState} state
  * @param {MotionDocument} document
- * @param {string} label for the undo button
+ * @param {string} label text for the undo button
  * @param {string} [gesture] changes of one gesture form one undo step
  * @returns {EditorState}
  */

@@ -57,7 +57,9 @@ export function duplicated(state) {
   return insertedAfter(state, copied(state).frames, 'Duplicate');
 }
 
-/** @param {EditorState} state @returns {EditorState} without the selected keyframes, or without their angles of the selected joints */
+/**
+ * @param {EditorState} state @returns {EditorState} state without the selected keyframes, or without their angles of the selected joints
+ */
 export function deleted(state) {
   return state.rows.length > 0 ? straightened(state) : withoutChosen(state);
 }
@@ -179,7 +181,7 @@ export function timed(state, index, millis, gesture = '') {
   return selected(edited(state, document, 'Change time', gesture), index);
 }
 
-/** @param {EditorState} state @returns {EditorState} with left and right of the selected keyframes swapped */
+/** @param {EditorState} state @returns {EditorState} state with left and right swapped in the selected keyframes */
 export function mirroredSelection(state) {
   const chosen = chosenFrames(state);
   const document = mapKeyframes(documentOf(state), (frame, i) =>
@@ -202,7 +204,7 @@ export function reversedMotion(state) {
   return selected(edited(state, reversed(documentOf(state)), 'Reverse the motion'), 0);
 }
 
-/** @param {EditorState} state @param {number} factor above 1 is slower @returns {EditorState} */
+/** @param {EditorState} state @param {number} factor factor for all durations; above 1 is slower @returns {EditorState} */
 export function scaledMotion(state, factor) {
   const label = factor > 1 ? 'Slower' : 'Faster';
   return selected(edited(state, scaled(documentOf(state), factor), label), state.last);

@@ -25,8 +25,8 @@ const SPEED_TOLERANCE = 1.001;
  * @param {Body} body
  * @param {readonly Keyframe[]} frames
  * @param {number} time milliseconds
- * @param {readonly number[]} posture at this time
- * @param {Float64Array} poses of its links
+ * @param {readonly number[]} posture posture at this time
+ * @param {Float64Array} poses poses of its links
  * @returns {Fault[]}
  */
 export function faultsAt(body, frames, time, posture, poses) {
@@ -38,7 +38,7 @@ export function faultsAt(body, frames, time, posture, poses) {
 }
 
 /**
- * How far the joints of a physically simulated robot lag behind the plan at a moment.
+ * Returns how far the joints of a physically simulated robot lag behind the plan at a moment.
  *
  * @param {Body} body
  * @param {Lag} lag
@@ -66,7 +66,7 @@ export function linkOf(body, joint) {
 }
 
 /**
- * Speed faults. The transition to the first keyframe is not checked, because the robot's posture before the motion is unknown.
+ * Returns the speed faults. The transition to the first keyframe is not checked, because the robot's posture before the motion is unknown.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames

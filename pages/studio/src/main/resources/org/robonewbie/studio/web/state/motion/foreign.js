@@ -16,7 +16,7 @@
  * @property {number} number line number, starting at 1
  *
  * @typedef {object} Columns
- * @property {string[]} names of all angle columns, as written
+ * @property {string[]} names names of all angle columns, as written
  * @property {Array<Column | undefined>} columns joint of each column; undefined for joints that this robot lacks
  *
  * @typedef {object} Column
@@ -77,7 +77,7 @@ export class Remarks {
   /** @type {Map<string, number[]>} */
   #lines = new Map();
 
-  /** @param {string} what with “#” as the placeholder for the lines @param {Row} row */
+  /** @param {string} what remark with “#” as the placeholder for the lines @param {Row} row */
   add(what, row) {
     this.#lines.set(what, [...(this.#lines.get(what) ?? []), row.number]);
   }
@@ -88,7 +88,7 @@ export class Remarks {
   }
 }
 
-/** @param {number[]} lines @returns {string} such as: line 3, and 2 more */
+/** @param {number[]} lines @returns {string} text such as: line 3, and 2 more */
 function placesText([first, ...others]) {
   return `line ${first}${others.length > 0 ? `, and ${others.length} more` : ''}`;
 }
@@ -141,7 +141,7 @@ function listText(names) {
   return names.length > limit ? `${shown} and ${names.length - limit} more joints` : shown;
 }
 
-/** @param {readonly string[]} cells @returns {string[]} without trailing empty cells */
+/** @param {readonly string[]} cells @returns {string[]} the cells without trailing empty ones */
 export function withoutEmptyEnd(cells) {
   const last = cells.findLastIndex((cell) => cell !== '');
   return cells.slice(0, last + 1);
@@ -151,7 +151,7 @@ export function withoutEmptyEnd(cells) {
  * Applies the angles of a row to a posture.
  *
  * @param {Row} row
- * @param {readonly string[]} cells of its angles
+ * @param {readonly string[]} cells cells with its angles
  * @param {'degrees' | 'radians'} unit
  * @param {Columns} columns
  * @param {readonly number[]} before angles for cells that are empty
@@ -182,7 +182,7 @@ export function postureOf(row, cells, unit, { names, columns }, before, remarks)
  * Converts absolute times into durations between keyframes.
  *
  * @param {Remarks} remarks
- * @returns {(millis: number, row: Row) => number} returns the duration up to a time; must be called in chronological order
+ * @returns {(millis: number, row: Row) => number} function that returns the duration up to a time; must be called in chronological order
  */
 export function waysBetween(remarks) {
   let before = -1;
@@ -221,7 +221,7 @@ export function positiveIn(text, expected) {
   return value;
 }
 
-/** Keyframes for export: each duration takes at least one cycle, as when played. @param {readonly Keyframe[]} frames */
+/** Returns the keyframes for export: each transition takes at least one cycle, as during playback. @param {readonly Keyframe[]} frames */
 export function playedFrames(frames) {
   return frames.map((frame) => ({ ...frame, millis: Math.max(MIN_WAY, frame.millis) }));
 }

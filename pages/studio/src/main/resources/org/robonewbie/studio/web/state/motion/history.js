@@ -30,7 +30,7 @@ export function historyOf(value) {
  * @param {History<T>} history
  * @param {T} value
  * @param {string} label
- * @param {string} [gesture] such as one drag of the mouse
+ * @param {string} [gesture] gesture such as one drag of the mouse
  * @returns {History<T>}
  */
 export function changed(history, value, label, gesture = '') {

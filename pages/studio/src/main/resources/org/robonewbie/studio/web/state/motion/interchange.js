@@ -63,7 +63,7 @@ export const MAX_BYTES = 2 * 1024 * 1024;
 /**
  * Reads a motion file; the format is detected by its name and its first line.
  *
- * @param {string} name of the file
+ * @param {string} name name of the file
  * @param {Uint8Array} bytes content
  * @param {Body} body
  * @param {readonly number[]} start angles of joints that the file lacks
@@ -114,7 +114,7 @@ function readText(name, decoded, body, start) {
   return { document, notes: problemNotes(withPlaces(document)) };
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} with line numbers in its error messages */
+/** @param {MotionDocument} document @returns {MotionDocument} the document with line numbers in its error messages */
 function withPlaces(document) {
   const lines = document.lines.map((line, i) =>
     line.problem ? { ...line, problem: `line ${i + 1} of the file: ${line.problem}` } : line,

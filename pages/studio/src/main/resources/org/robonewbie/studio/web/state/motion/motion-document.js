@@ -84,7 +84,7 @@ export function reversed(document) {
 
 /**
  * @param {MotionDocument} document
- * @param {number} factor above 1 is slower
+ * @param {number} factor factor for all durations; above 1 is slower
  * @returns {MotionDocument}
  */
 export function scaled(document, factor) {

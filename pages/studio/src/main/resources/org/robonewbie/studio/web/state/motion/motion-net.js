@@ -1,7 +1,7 @@
 /**
  * Keyframe nets of the original motion editor (.mef): a line with the word nao, the joint names, keyframes with their numbers and screen
- * positions, and transitions between them. The motion starts at keyframe 0, whose own posture it omits, and follows the first transition
- * of each keyframe. Pure.
+ * positions, and transitions between them. The motion begins with the transition from keyframe 0 and follows the first transition of each
+ * keyframe; it does not include the posture of keyframe 0. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -12,9 +12,9 @@
  * @typedef {object} Net
  * @property {Columns | undefined} columns joint of each angle, in the order of the file; undefined before the header
  * @property {Remarks} remarks
- * @property {Map<number, number[]>} postures by number
+ * @property {Map<number, number[]>} postures postures by number
  * @property {Array<{from: number, to: number, millis: number, row: Row}>} transitions
- * @property {Map<number, string>} problems by line
+ * @property {Map<number, string>} problems problems by line
  */
 import {
   columnNotes,
@@ -158,7 +158,7 @@ function refuseOther(name) {
   }
 }
 
-/** From keyframe 0, follows the first transition of each keyframe to the end, or until a keyframe is revisited. @param {Net} net */
+/** Follows the first transition of each keyframe, from keyframe 0 to the end or until a keyframe is revisited. @param {Net} net */
 function chainOf({ postures, transitions }) {
   /** @type {Net['transitions']} */
   const steps = [];

@@ -59,7 +59,7 @@ function linesOf(content) {
     .map(([, text, end]) => parseLine(text, end));
 }
 
-/** @param {MotionDocument} document @returns {string} without byte order mark */
+/** @param {MotionDocument} document @returns {string} the text without a byte order mark */
 export function contentOf({ lines }) {
   return lines.map(({ text, end }) => text + end).join('');
 }
@@ -107,7 +107,7 @@ export function newLine(keyframe, end) {
 /**
  * Replaces the numbers of a line; unchanged numbers keep their digits, and blanks and comments are kept.
  *
- * @param {Line} line one with a keyframe
+ * @param {Line} line line with a keyframe
  * @param {Keyframe} keyframe
  * @returns {Line}
  */
@@ -138,7 +138,7 @@ function isDecimal(word) {
 }
 
 /**
- * The words of a line before its comment.
+ * Returns the words of a line before its comment.
  *
  * @param {string} text
  */
@@ -149,10 +149,10 @@ function wordsOf(text) {
 }
 
 /**
- * The error for which a robot would refuse the motion.
+ * Returns the error because of which a robot would refuse the motion.
  *
  * @param {MotionDocument} document
- * @returns {string} about the first invalid line, empty if there is none
+ * @returns {string} a message about the first invalid line; empty if there is none
  */
 export function problemOf({ lines }) {
   const bad = lines.flatMap(({ problem }, i) => (problem ? [`Line ${i + 1} cannot be read: ${problem}`] : []));

@@ -1,6 +1,6 @@
 /** Display names of joints and limbs. Pure. */
 
-/** @param {string} name such as LEFT_HIP_YAW_PITCH @returns {string} such as “left hip yaw-pitch” */
+/** @param {string} name name such as LEFT_HIP_YAW_PITCH @returns {string} text such as “left hip yaw-pitch” */
 export function jointName(name) {
   return name.toLowerCase().replace('yaw_pitch', 'yaw-pitch').replaceAll('_', ' ');
 }
@@ -23,7 +23,7 @@ const LIMBS = {
   foot: 'foot',
 };
 
-/** @param {string} name such as “llowerarm” @returns {string} such as “left forearm” */
+/** @param {string} name name such as “llowerarm” @returns {string} text such as “left forearm” */
 export function linkName(name) {
   if (name in LIMBS) {
     return LIMBS[name];

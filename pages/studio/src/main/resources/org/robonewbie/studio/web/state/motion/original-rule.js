@@ -19,8 +19,8 @@ export function isUndescribed({ lines }) {
 }
 
 /**
- * Whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion that has only short transitions is a recording, and
- * would not move at all under that rule.
+ * Returns whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion that has only short transitions is a
+ * recording, and would not move at all under that rule.
  *
  * @param {MotionDocument} document
  * @returns {boolean}
@@ -35,7 +35,7 @@ export function hasSkippedKeyframes(document) {
   return short.some(isOther) && 2 * short.length <= frames.length;
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} marked for playback by the rule of RoboNewbie 1.1 */
+/** @param {MotionDocument} document @returns {MotionDocument} the document, marked for playback by the rule of RoboNewbie 1.1 */
 export function asOriginal(document) {
   const end = document.lines.find((line) => line.end !== '')?.end ?? '\n';
   return { ...document, lines: [...parse(ORIGINAL + end).lines, ...document.lines] };

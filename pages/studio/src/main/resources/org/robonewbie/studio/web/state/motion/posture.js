@@ -69,7 +69,7 @@ export function copiedSide(body, posture, side) {
  * Creates a posture from named angles; all others are 0.
  *
  * @param {Body} body
- * @param {Record<string, number>} angles by joint; BOTH_KNEE_PITCH sets the left angle and mirrors it to the right
+ * @param {Record<string, number>} angles angles by joint; BOTH_KNEE_PITCH sets the left angle and mirrors it to the right
  * @returns {number[]}
  */
 export function postureFrom(body, angles) {

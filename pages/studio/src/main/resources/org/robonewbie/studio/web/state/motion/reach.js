@@ -10,7 +10,7 @@
  * @property {number[]} local the point in the link's frame
  * @property {number[]} target target position in the world
  * @property {number[]} [up] target direction of the link's upward axis, for example of a sole
- * @property {number[]} joints that may turn
+ * @property {number[]} joints joints that may turn
  */
 import { rotated } from '../kinematics.js';
 import { linkIndex, pointOf, posesOf } from './body.js';
@@ -28,7 +28,7 @@ const METRES_PER_UP = 0.12;
 const LIMBS = /^(body|head|[lr](upperarm|lowerarm|thigh|shank|foot))$/;
 
 /**
- * The joints between a limb and the next limb inwards.
+ * Returns the joints between a limb and the next limb inwards.
  *
  * @param {Body} body
  * @param {number} link
@@ -39,7 +39,7 @@ export function ownJoints(body, link) {
 }
 
 /**
- * The joints between a limb and the torso.
+ * Returns the joints between a limb and the torso.
  *
  * @param {Body} body
  * @param {number} link
@@ -168,7 +168,7 @@ function errorOf(body, posture, torso, { link, local, target, up }) {
 }
 
 /**
- * One iteration. A joint that is at its limit and would move further is excluded, so that the others compensate.
+ * Performs one iteration. A joint that is at its limit and would move further is excluded, so that the others compensate.
  *
  * @param {Body} body
  * @param {number[]} posture
@@ -219,7 +219,7 @@ function dot(a, b) {
 }
 
 /**
- * Gaussian elimination with pivoting for a small matrix.
+ * Solves a small linear system by Gaussian elimination with pivoting.
  *
  * @param {number[][]} matrix
  * @param {number[]} right

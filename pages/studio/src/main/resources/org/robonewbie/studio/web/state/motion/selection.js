@@ -49,7 +49,7 @@ export function withRow(state, joint, manner = 'only') {
   return { ...state, joint: rows.at(-1) ?? joint, rows };
 }
 
-/** @param {EditorState} state @returns {EditorState} with all joints of the selected keyframes */
+/** @param {EditorState} state @returns {EditorState} state in which all joints of the selected keyframes are selected */
 export function withoutRows(state) {
   return { ...state, rows: [] };
 }
@@ -60,7 +60,9 @@ export function withAllChosen(state) {
   return { ...state, first: 0, chosen: frames.map((_, index) => index) };
 }
 
-/** @param {EditorState} state @returns {EditorState} with the keyframe at the playhead only, and all of its joints */
+/**
+ * @param {EditorState} state @returns {EditorState} state in which only the keyframe at the playhead is selected, with all of its joints
+ */
 export function withOneChosen(state) {
   return { ...state, first: state.last, chosen: [state.last], rows: [] };
 }
@@ -80,7 +82,7 @@ export function withOneChosen(state) {
  * @param {EditorState} state
  * @param {Box} box
  * @param {boolean} [adding] whether to add to the selection
- * @returns {EditorState} unchanged if no keyframe is in the box
+ * @returns {EditorState} the new state; unchanged if no keyframe is in the box
  */
 export function boxed(state, { from, to, rows, low = -Infinity, high = Infinity }, adding = false) {
   const frames = framesOf(state);

@@ -15,7 +15,7 @@ export const WHOLE = { from: 0, span: 0 };
 
 /**
  * @param {TimeView} view
- * @param {number} length of the motion, milliseconds
+ * @param {number} length length of the motion, milliseconds
  * @returns {TimeView} the visible range, with a non-zero span
  */
 export function shownPart(view, length) {
@@ -26,8 +26,8 @@ export function shownPart(view, length) {
 
 /**
  * @param {TimeView} view
- * @param {number} length of the motion, milliseconds
- * @param {number} factor below 1 zooms in
+ * @param {number} length length of the motion, milliseconds
+ * @param {number} factor zoom factor; below 1 zooms in
  * @param {number} at the time that keeps its position
  * @returns {TimeView}
  */
@@ -42,7 +42,7 @@ export function zoomed(view, length, factor, at) {
 
 /**
  * @param {TimeView} view
- * @param {number} length of the motion, milliseconds
+ * @param {number} length length of the motion, milliseconds
  * @param {number} share fraction of the visible range, negative to the left
  * @returns {TimeView}
  */
@@ -55,7 +55,7 @@ export function scrolled(view, length, share) {
  * Scrolls to make a time visible, if it is not.
  *
  * @param {TimeView} view
- * @param {number} length of the motion, milliseconds
+ * @param {number} length length of the motion, milliseconds
  * @param {number} time milliseconds
  * @returns {TimeView}
  */

@@ -6,7 +6,7 @@
 
 /**
  * @param {readonly Keyframe[]} frames
- * @returns {number[]} when each keyframe is reached, milliseconds
+ * @returns {number[]} times at which the keyframes are reached, milliseconds
  */
 export function timesOf(frames) {
   let time = 0;
@@ -38,7 +38,7 @@ export function postureAt(frames, start, time) {
 /**
  * @param {readonly Keyframe[]} frames
  * @param {number} time
- * @returns {number} index of the next keyframe, the last one after the end, -1 without keyframes
+ * @returns {number} index of the next keyframe; the last one after the end; -1 if there are no keyframes
  */
 export function keyframeAt(frames, time) {
   const next = timesOf(frames).findIndex((each) => time <= each + 0.5);

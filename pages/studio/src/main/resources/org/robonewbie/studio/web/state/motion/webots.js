@@ -1,5 +1,5 @@
 /**
- * Webots .motion files, also used with Choregraphe: a header with the joint names in the same line or the next, then a line with time,
+ * Webots .motion files, also used with Choregraphe: a header with the joint names on the same line or the next, then a line with time,
  * pose name and angles in radians for each keyframe. Some teams of the league write V1.1, where a row is the word “play”, the
  * angles in radians and the duration in seconds, separated by %. There are two sign conventions: Webots uses the signs and names of NAO's
  * documentation, where bent knees and lowered arms are positive; the original motion editor uses the simulator's signs. Pure.
@@ -78,7 +78,7 @@ function namesOf(reading) {
   return reading === 'nao' ? NAO_JOINTS : ORIGINAL_JOINTS;
 }
 
-/** @param {Reading} reading @param {string} name such as “LElbowRoll” or “LElbowRoll{S}” @returns {Column | undefined} */
+/** @param {Reading} reading @param {string} name name such as “LElbowRoll” or “LElbowRoll{S}” @returns {Column | undefined} */
 export function columnOf(reading, name) {
   const plain = name.trim().replace(/\{.*\}$/, '');
   const joint = namesOf(reading).indexOf(plain);
@@ -143,7 +143,7 @@ function separatorOf(row) {
   return row?.text.includes('%') ? '%' : ',';
 }
 
-/** Reads a file whose names are in the line below the header. @param {Row[]} all @returns {Table} */
+/** Reads a file that has the names on the line below the header. @param {Row[]} all @returns {Table} */
 function tableBelow([names, ...rows]) {
   const separator = separatorOf(names);
   const cells = (names?.text ?? '').split(separator).map((cell) => cell.trim());
@@ -191,7 +191,7 @@ function outOfRange({ lines }, { joints }) {
   }, 0);
 }
 
-/** @param {string} time as MM:SS:mmm */
+/** @param {string} time time as MM:SS:mmm */
 function momentOf(time) {
   const parts = /^(\d+):(\d+):(\d+)$/.exec(time);
   if (!parts) {

@@ -42,7 +42,7 @@ export function newText(content, version = '') {
   return { text: { ...UTF_8, content }, version, problem: '' };
 }
 
-/** @param {string} text @returns {string} with the editor's line endings */
+/** @param {string} text @returns {string} the text with the editor's line endings */
 export function normal(text) {
   return text.replaceAll(/\r\n?/g, '\n');
 }
@@ -51,7 +51,7 @@ export function normal(text) {
  * Restores the line endings of the file; new lines get the ending of its first line.
  *
  * @param {OpenFile} file
- * @param {string} text of the editor
+ * @param {string} text text of the editor
  * @returns {string} text for the disk
  */
 export function written(file, text) {
@@ -69,7 +69,7 @@ export function written(file, text) {
   return after.map((line, i) => (i === after.length - 1 ? line : line + endOf(i))).join('');
 }
 
-/** Number of equal lines at the beginning. @param {Array<{line: string}>} before @param {string[]} after */
+/** Returns the number of equal lines at the beginning. @param {Array<{line: string}>} before @param {string[]} after */
 function sameLines(before, after) {
   const first = after.findIndex((line, i) => line !== before[i]?.line);
   return first < 0 ? after.length : first;
@@ -80,7 +80,7 @@ export function isOpenToChange(file) {
   return file?.kind === 'own' && file.problem === '';
 }
 
-/** @param {OpenFile | undefined} file @param {string} text of the editor @returns {boolean} */
+/** @param {OpenFile | undefined} file @param {string} text text in the editor @returns {boolean} */
 export function isUnsaved(file, text) {
   return file !== undefined && isOpenToChange(file) && (file.version === '' || text !== file.saved);
 }
@@ -128,7 +128,7 @@ export function freeName(wanted, files) {
 }
 
 /**
- * The folder for new programs: that of the existing ones.
+ * Returns the folder for new programs, which is that of the existing ones.
  *
  * @param {ReadonlyArray<{path: string}>} files
  * @returns {string} a folder with a trailing slash, or empty

@@ -23,8 +23,8 @@ export function fileName(path) {
 /**
  * Finds the line of a file to which a robot's message refers.
  *
- * @param {string} text such as `think() failed with … (MyAgent.java:31)`
- * @param {string} path of the file
+ * @param {string} text text such as `think() failed with … (MyAgent.java:31)`
+ * @param {string} path path of the file
  * @returns {number} line number from 1, 0 if it refers to another file
  */
 export function lineOf(text, path) {
@@ -55,10 +55,10 @@ export function remarksText(remarks) {
 }
 
 /**
- * The range of a diagnostic in the text.
+ * Returns the range of a diagnostic in the text.
  *
  * @param {Remark} remark
- * @param {number} length of the text
+ * @param {number} length length of the text
  * @returns {{from: number, to: number} | undefined} at least one character, if there is one; undefined if it has no position
  */
 export function rangeOf({ from, to, line }, length) {

@@ -21,7 +21,7 @@ export function stepOf({ min, max }) {
   return Number((factor * power).toPrecision(1));
 }
 
-/** @param {number} value @returns {string} without insignificant digits */
+/** @param {number} value @returns {string} the value without insignificant digits */
 export function numberText(value) {
   return String(Number(value.toPrecision(6)));
 }
@@ -29,8 +29,8 @@ export function numberText(value) {
 /**
  * Replaces a default value in a program's text.
  *
- * @param {string} text of the program
- * @param {string} name of the number
+ * @param {string} text text of the program
+ * @param {string} name name of the number
  * @param {number} value
  * @returns {string | undefined} the text; undefined if the value is not a number literal there
  */
@@ -56,7 +56,7 @@ export class ChosenNumbers {
     this.#chosen.clear();
   }
 
-  /** @param {DeclaredNumber} number declared by the program @returns {number} the value of its slider */
+  /** @param {DeclaredNumber} number number declared by the program @returns {number} the value of its slider */
   shown({ name, defaultValue, value }) {
     const chosen = this.#chosen.get(name);
     if (chosen && chosen.defaultValue !== defaultValue) {
@@ -67,7 +67,7 @@ export class ChosenNumbers {
   }
 
   /**
-   * @param {DeclaredNumber} number declared by the program
+   * @param {DeclaredNumber} number number declared by the program
    * @param {number} now milliseconds
    * @returns {number | undefined} the chosen value, if it must be sent again because the program has not adopted it
    */

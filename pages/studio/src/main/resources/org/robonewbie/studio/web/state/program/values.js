@@ -3,8 +3,8 @@
 const PLOT = /\bplot\(\s*"([^"\\]+)"/g;
 
 /**
- * @param {string} text of the program
- * @param {ReadonlyMap<string, number>} values by name
+ * @param {string} text text of the program
+ * @param {ReadonlyMap<string, number>} values values by name
  * @returns {Array<{line: number, text: string}>} texts for the ends of lines, in ascending order
  */
 export function valuesAtLines(text, values) {
@@ -17,7 +17,7 @@ export function valuesAtLines(text, values) {
   });
 }
 
-/** @param {number} value @returns {string} with as many digits as are readable while it changes */
+/** @param {number} value @returns {string} the value with as many digits as are readable while it changes */
 export function valueText(value) {
   return Number.isInteger(value) ? String(value) : Number(value.toPrecision(4)).toString();
 }

@@ -13,7 +13,7 @@ export class CommandedSpeeds {
     return new CommandedSpeeds(this.places, this.values.slice());
   }
 
-  /** @param {number} id of a robot @returns {Float32Array} its mutable speeds, degrees per second by hinge */
+  /** @param {number} id ID of a robot @returns {Float32Array} its mutable speeds, degrees per second by hinge */
   of(id) {
     const place = this.places.get(id) ?? this.places.size;
     this.places.set(id, place);
@@ -26,7 +26,7 @@ export class CommandedSpeeds {
     return this.values.subarray(end - MAX_HINGES, end);
   }
 
-  /** @param {number} id of a robot @returns {Float32Array | undefined} its speeds, degrees per second by hinge */
+  /** @param {number} id ID of a robot @returns {Float32Array | undefined} its speeds, degrees per second by hinge */
   get(id) {
     const begin = (this.places.get(id) ?? Infinity) * MAX_HINGES;
     return begin < this.values.length ? this.values.subarray(begin, begin + MAX_HINGES) : undefined;

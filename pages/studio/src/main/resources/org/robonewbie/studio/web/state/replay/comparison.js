@@ -65,7 +65,7 @@ export function curveOf(own, other, points) {
   return Math.max(...ball) > MIN_METRES ? ball : curve(own.ways[0]?.places ?? [], other.ways[0]?.places ?? []);
 }
 
-/** @param {Way} way @param {number} count number of moments of the run @param {number} index of a moment */
+/** @param {Way} way @param {number} count number of moments of the run @param {number} index index of a moment */
 function placeAt(way, count, index) {
   let momentsPerPlace = 1;
   while (way.length > 0 && Math.ceil(count / momentsPerPlace) > way.length) {

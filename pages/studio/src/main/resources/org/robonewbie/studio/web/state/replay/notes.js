@@ -10,7 +10,7 @@ const WARNINGS = ['WARNING', 'ERROR'];
 /**
  * @param {string} lines one line of JSON per log entry and per set of drawings
  * @param {number} firstCycle the cycle of the recording's first moment
- * @returns {RecordedEvent[]} incomplete lines are skipped
+ * @returns {RecordedEvent[]} the events; incomplete lines are skipped
  */
 export function notesOf(lines, firstCycle) {
   return entriesOf(lines)
@@ -22,12 +22,12 @@ export function notesOf(lines, firstCycle) {
     }));
 }
 
-/** @param {string} lines as in {@link notesOf} @returns {string[]} telemetry lines with drawings */
+/** @param {string} lines lines as in {@link notesOf} @returns {string[]} telemetry lines with drawings */
 export function picturesOf(lines) {
   return entriesOf(lines).flatMap(({ drawn }) => drawn ?? []);
 }
 
-/** @param {string} lines @returns {any[]} incomplete lines are skipped */
+/** @param {string} lines @returns {any[]} the parsed lines; incomplete ones are skipped */
 function entriesOf(lines) {
   return lines.split('\n').flatMap((line) => {
     try {

@@ -45,7 +45,7 @@ export class RecordedRun {
   /**
    * @param {(type: string) => number} hingesOf number of hinges of a robot type
    * @param {(piece: number, skip: number) => Promise<Uint8Array>} fetchPiece
-   * @param {() => void} grown called when moments have arrived
+   * @param {() => void} grown called when moments have been loaded
    */
   constructor(hingesOf, fetchPiece, grown) {
     this.hingesOf = hingesOf;

@@ -21,7 +21,7 @@
  * @property {Int32Array} numbers the ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's units
  *
  * @typedef {object} RecordedEvent
- * @property {number} index of the moment
+ * @property {number} index index of the moment
  * @property {'goal' | 'foul' | 'playmode' | 'fall' | 'warning' | 'log'} kind
  * @property {string} text
  */
@@ -36,7 +36,7 @@ const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 export class RecordingReader {
   /**
    * @param {(type: string) => number} hingesOf number of hinges of a robot type
-   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading a part of a recording: the rosters known from other
+   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading part of a recording: the rosters known from other
    *     parts; its first records restore the state
    */
   constructor(hingesOf, part = { rosters: new Map(), isBegun: false }) {

@@ -9,7 +9,7 @@
  *
  * @typedef {object} ReplayState
  * @property {number} count number of moments
- * @property {number} index the shown moment, with a fraction between two
+ * @property {number} index index of the shown moment; fractional between two moments
  * @property {boolean} playing
  * @property {number} speed
  * @property {[number, number] | undefined} loop first and last moment of the repeated section
@@ -84,7 +84,7 @@ export function neighbourEvent(state, events, direction) {
 
 /**
  * @param {Moment} moment
- * @param {Record<string, string>} header of the recording
+ * @param {Record<string, string>} header header of the recording
  * @param {Record<string, RobotModel>} models
  * @param {number} revision
  * @returns {Scene} scene of the moment

@@ -13,7 +13,7 @@ const NAME = 'RoboNewbie';
 
 /**
  * @param {Film} film
- * @param {readonly EncodedPicture[]} pictures in order; the first one is a key frame
+ * @param {readonly EncodedPicture[]} pictures pictures in order; the first one is a key frame
  * @returns {Uint8Array<ArrayBuffer>} the file
  */
 export function webmOf(film, pictures) {
@@ -108,7 +108,7 @@ function cuesOf(clusters, places) {
   return element(0x1c53bb6b, ...points);
 }
 
-/** @param {number} id with its length marker @param {...Uint8Array} content */
+/** @param {number} id ID with its length marker @param {...Uint8Array} content */
 function element(id, ...content) {
   const length = content.reduce((sum, part) => sum + part.length, 0);
   const size = number(length, 8);

@@ -15,7 +15,7 @@ export class DrawingMemory {
     this.kinds = new Map();
   }
 
-  /** @param {readonly string[]} lines of telemetry; lines without drawings are ignored */
+  /** @param {readonly string[]} lines lines of telemetry; lines without drawings are ignored */
   receive(lines) {
     for (const line of lines.filter((each) => each.startsWith('draw\t'))) {
       const item = readTelemetry(line);

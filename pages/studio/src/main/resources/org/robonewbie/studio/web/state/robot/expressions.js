@@ -30,7 +30,7 @@ export function readExpressions(text) {
   return all;
 }
 
-/** @param {Expression} expression @returns {string} as sent over the wire */
+/** @param {Expression} expression @returns {string} the expression as sent over the wire */
 export function writeExpression(expression) {
   return typeof expression === 'string' ? expression : `(${expression.map(writeExpression).join(' ')})`;
 }

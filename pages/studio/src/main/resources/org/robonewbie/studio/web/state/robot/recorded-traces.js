@@ -10,9 +10,9 @@ import { Traces } from './traces.js';
 
 /**
  * @param {readonly Moment[]} moments
- * @param {Record<string, string>} header of the recording
+ * @param {Record<string, string>} header header of the recording
  * @param {Scene} scene
- * @param {number} id of the robot
+ * @param {number} id ID of the robot
  * @returns {Traces} traces of these moments
  */
 export function recordedTraces(moments, header, scene, id) {

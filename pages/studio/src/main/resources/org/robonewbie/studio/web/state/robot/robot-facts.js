@@ -70,7 +70,7 @@ export function placeOf(frame, robot) {
 }
 
 /**
- * The believed position of a robot relative to its true one.
+ * Returns the believed position of a robot relative to its true one.
  *
  * @param {ArrayLike<number>} torso true pose
  * @param {string} side side of its team; the coordinates of the right team are rotated by 180 degrees

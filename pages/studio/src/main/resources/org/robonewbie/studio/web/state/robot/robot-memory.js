@@ -29,7 +29,7 @@ const MESSAGE_SECONDS = 0.5;
 const PICTURE_MESSAGES = 12;
 const HALF_CYCLE = 0.01;
 
-/** How long drawings stay visible if no others follow. */
+/** Time in seconds for which drawings stay visible if no others follow. */
 export const DRAWING_SECONDS = 1;
 
 export class RobotMemory {
@@ -47,7 +47,7 @@ export class RobotMemory {
   }
 
   /**
-   * @param {string} line of telemetry
+   * @param {string} line line of telemetry
    * @returns {{name: string, value: number, seconds: number} | undefined} a value to plot
    */
   receive(line) {

@@ -79,7 +79,7 @@ export class RobotWatch {
   /**
    * @param {Shown} shown
    * @param {TimeCursor} cursor
-   * @returns {RobotMoment | undefined} undefined if there is no robot
+   * @returns {RobotMoment | undefined} the moment; undefined if there is no robot
    */
   moment(shown, cursor) {
     const { scene, frame } = shown;

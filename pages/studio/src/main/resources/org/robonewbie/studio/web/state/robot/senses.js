@@ -19,7 +19,7 @@
  * @property {Record<string, string>} game game state, keyed by SimSpark's names
  * @property {number[] | undefined} gyro degrees per second about the forward, left and up axes
  * @property {number[] | undefined} acceleration metres per second squared
- * @property {Record<string, FootForce>} feet by SimSpark's names: lf, rf and, with toes, lf1, rf1
+ * @property {Record<string, FootForce>} feet forces by SimSpark's names: lf, rf and, for a robot with toes, lf1, rf1
  * @property {Array<{seconds: number, from: string, text: string}>} heard
  * @property {{things: SeenThing[], lines: number[][][]} | undefined} seen undefined in messages without camera data
  */
@@ -135,7 +135,7 @@ function player(expression) {
  * Reads the commands of an agent.
  *
  * @param {string} message message from the agent
- * @returns {{speeds: Record<string, number>, said: string[]}} degrees per second by effector, and the texts said
+ * @returns {{speeds: Record<string, number>, said: string[]}} speeds in degrees per second by effector, and the texts said
  */
 export function readOrders(message) {
   /** @type {Record<string, number>} */

@@ -28,7 +28,7 @@ const UNITS = {
 const FEET = { lf: 'left foot', rf: 'right foot', lf1: 'left toe', rf1: 'right toe' };
 
 /**
- * Ground truth of a frame.
+ * Returns the ground-truth values of a frame.
  *
  * @param {RobotModel} model
  * @param {Frame} frame
@@ -52,7 +52,7 @@ export function trueValues(model, frame, robot) {
 }
 
 /**
- * Values of the perceptors.
+ * Returns the values of the perceptors.
  *
  * @param {Senses} senses
  * @returns {Values}
@@ -77,7 +77,7 @@ export function sensedValues({ gyro, acceleration, feet }) {
 /**
  * @param {RobotModel} model
  * @param {'joint angle' | 'joint speed' | 'commanded speed'} group
- * @param {ArrayLike<number>} numbers by hinge, degrees or degrees per second
+ * @param {ArrayLike<number>} numbers numbers by hinge, degrees or degrees per second
  * @returns {Values}
  */
 export function jointValues({ hinges }, group, numbers) {

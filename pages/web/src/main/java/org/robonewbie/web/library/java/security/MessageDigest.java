@@ -116,7 +116,10 @@ public final class MessageDigest implements Cloneable {
         }
     }
 
-    /** First 32 bits of the fractional parts of the square or cube roots of the first primes, the constants of SHA-256. */
+    /**
+     * Returns the first 32 bits of the fractional parts of the square or cube roots of the first primes, the constants
+     * of SHA-256.
+     */
     private static int[] fractionsOfRoots(int count, int degree) {
         int[] fractions = new int[count];
         int prime = 2;

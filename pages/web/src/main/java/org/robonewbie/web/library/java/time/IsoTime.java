@@ -3,7 +3,7 @@ package org.robonewbie.web.library.java.time;
 import org.teavm.jso.JSBody;
 
 /**
- * Converts times with functions of the browser. TeaVM does not process {@code JSBody} in {@link Instant}, because that
+ * Converts times with the browser's functions. TeaVM does not process {@code JSBody} in {@link Instant}, because that
  * class is renamed.
  */
 final class IsoTime {

@@ -49,7 +49,7 @@ record Decimal(String digits, int point) {
         return new Decimal(digits.substring(0, nines - 1) + raised + "0".repeat(digits.length() - nines), point);
     }
 
-    /** Formats with a number of decimal places. */
+    /** Formats in fixed-point notation with a number of decimal places. */
     String fixed(int precision) {
         Decimal near = rounded(point + precision);
         if (near.digits.isEmpty()) {

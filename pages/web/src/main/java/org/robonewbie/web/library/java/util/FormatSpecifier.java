@@ -21,7 +21,7 @@ record FormatSpecifier(int index, String flags, int width, int precision, char c
     private static final int DEFAULT_PRECISION = 6;
     private static final int GROUP_DIGITS = 3;
 
-    /** Parses the specifier whose percent sign precedes a position. */
+    /** Parses the specifier that begins with the percent sign just before a position. */
     static FormatSpecifier read(String format, int from) {
         int at = from;
         int index = 0;

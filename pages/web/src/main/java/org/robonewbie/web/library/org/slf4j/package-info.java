@@ -1,5 +1,5 @@
 /**
- * Replacement for {@code org.slf4j}, whose search for implementations does not work in a page.
+ * Replacement for {@code org.slf4j}, which cannot search for implementations in a page.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

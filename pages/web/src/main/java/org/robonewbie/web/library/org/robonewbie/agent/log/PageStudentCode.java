@@ -25,7 +25,7 @@ public final class PageStudentCode {
     /**
      * Finds the line in a stack trace.
      *
-     * @param trace innermost call first
+     * @param trace the stack trace, innermost call first
      * @return a position such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place(StackTraceElement[] trace) {

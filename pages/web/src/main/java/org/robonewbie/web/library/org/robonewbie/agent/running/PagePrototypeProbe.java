@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.robonewbie.pagejvm.StudentFields;
 
 /**
- * Creates further instances of a student's robot to find out which fields depend on tunable numbers. Shipped agents do
- * not need it, because they read these numbers in {@code think()}.
+ * Creates additional instances of a student's robot to find out which fields depend on tunable numbers. Shipped agents
+ * do not need it, because they read these numbers in {@code think()}.
  */
 public final class PagePrototypeProbe {
 

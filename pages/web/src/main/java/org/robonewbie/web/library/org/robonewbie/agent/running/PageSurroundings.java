@@ -13,9 +13,9 @@ public final class PageSurroundings {
     }
 
     /**
-     * Reads no file.
+     * Returns no properties, because a page has no files.
      *
-     * @param file name of the file
+     * @param file ignored
      * @return an empty map
      */
     public static Map<String, String> properties(String file) {
