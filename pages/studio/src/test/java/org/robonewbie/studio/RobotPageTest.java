@@ -93,7 +93,7 @@ class RobotPageTest {
 
         browser.await("document.querySelector('.log .warning')?.textContent.includes('<b>far</b>')");
         browser.await("document.querySelector('.robot-motion').textContent"
-                + " === 'Motion walk-forward, on the way to keyframe 3'");
+                + " === 'Motion walk-forward, moving to keyframe 3'");
         tellUntil(
                 "document.querySelector('[data-value=\"agent/courage\"]')", new TelemetryItem.PlotValue("courage", 7));
         tellUntil(

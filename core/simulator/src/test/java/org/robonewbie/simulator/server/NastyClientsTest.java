@@ -214,10 +214,7 @@ class NastyClientsTest {
 
             assertThat(sun.joinInVain("Suns", 1).gameState().orElseThrow().number())
                     .isEmpty();
-            assertThat(twin.joinInVain("Moons", 1)
-                            .gameState()
-                            .orElseThrow()
-                            .number())
+            assertThat(twin.joinInVain("Moons", 1).gameState().orElseThrow().number())
                     .isEmpty();
             awaitSaid("there is no room for team \"Suns\"");
             awaitSaid("number 1 of team \"Moons\" is taken");

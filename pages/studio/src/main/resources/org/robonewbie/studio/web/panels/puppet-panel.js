@@ -85,7 +85,7 @@ export class PuppetPanel {
     setText(
       this.hint,
       player
-        ? `You steer ${player.team} ${player.number}: W A S D, F and G kick.`
+        ? `You are steering ${player.team} ${player.number}: W A S D to walk, F and G to kick.`
         : others
           ? 'Click a puppet to steer it.'
           : 'Walk, kick and move joints without any code.',

@@ -96,8 +96,8 @@ export function trainerPanel(send) {
 function trainerButtons(send) {
   const centre = { do: 'placeBall', x: 0, y: 0, z: BALL_RADIUS };
   return [
-    button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
-    button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),
+    button('◀ Kick off', 'The left team kicks off (K)', () => send({ do: 'kickOff', side: 'left' })),
+    button('Kick off ▶', 'The right team kicks off (L)', () => send({ do: 'kickOff', side: 'right' })),
     button('Drop ball', 'Drops the ball where it is (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
     button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
   ];

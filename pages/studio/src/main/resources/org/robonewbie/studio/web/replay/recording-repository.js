@@ -134,7 +134,7 @@ export class RecordingRepository {
     tiles.forEach((tile) => tile.card.toggleAttribute('hidden', !tile.fits(wanted, this.#filter.value)));
     const found = tiles.filter(({ card }) => !card.hidden).length;
     this.#nothing.hidden = found > 0;
-    setText(this.#nothing, this.#tiles.size === 0 ? 'Nothing is recorded yet.' : nothingFound(wanted));
+    setText(this.#nothing, this.#tiles.size === 0 ? 'Nothing has been recorded yet.' : nothingFound(wanted));
   }
 }
 

@@ -44,7 +44,7 @@ export class PlotController {
       },
     );
     zoom.value = String(this.span);
-    const table = button('CSV', 'Save what the plots show as a table', () => this.#offer(), { id: 'curves-csv' });
+    const table = button('CSV', 'Save the plotted values as a table', () => this.#offer(), { id: 'curves-csv' });
     const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });

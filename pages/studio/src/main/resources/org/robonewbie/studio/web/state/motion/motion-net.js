@@ -115,7 +115,7 @@ function netOf(rows, start) {
   for (const { from, to, row } of net.transitions) {
     const missing = [from, to].find((id) => !net.postures.has(id));
     if (missing !== undefined) {
-      net.problems.set(row.number, `the file has no keyframe ${missing} that could be read`);
+      net.problems.set(row.number, `the file has no readable keyframe ${missing}`);
     }
   }
   return net;
@@ -169,7 +169,7 @@ function chainOf({ postures, transitions }) {
       return { steps, end: [] };
     }
     if (visited.has(step.to)) {
-      return { steps, end: [`The net continues at keyframe ${step.to} again; the motion ends there.`] };
+      return { steps, end: [`The net returns to keyframe ${step.to}; the motion ends there.`] };
     }
     steps.push(step);
     visited.add(step.to);
