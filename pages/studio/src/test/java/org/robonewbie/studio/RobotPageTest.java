@@ -75,7 +75,7 @@ class RobotPageTest {
                 + " row.textContent.includes('Knee pitch') && Math.abs(parseFloat(row.querySelector('.angle').textContent)"
                 + " - studio.state.frame.robots[0].degrees[studio.state.scene.models.TYPE_0.hinges.findIndex(hinge =>"
                 + " hinge.joint === 'LEFT_KNEE_PITCH')]) < 3)");
-        browser.await("document.querySelector('.robot-facts').textContent.includes('stands')");
+        browser.await("document.querySelector('.robot-facts').textContent.includes('standing')");
         browser.await("document.querySelectorAll('.plot canvas').length === 3");
         assertThat(browser.evaluate("document.querySelector('#robot-room').textContent.includes('-0°')")
                         .getAsBoolean())

@@ -80,7 +80,7 @@ class WhatThePageLacksTest {
                 "log.info(getClass().getPackageName());         | Class.getPackageName() is not available for a class of the program. The page cannot do this",
                 "java.util.Arrays.hashCode(new int[] {1});      | hashCode with an array of numbers or characters is not available",
                 "String.valueOf(new char[] {'a'});              | with an array of numbers or characters is not available",
-                "new StringBuilder().append(new Letters());     | An object of the program cannot be passed to Java's classes as a java.lang.CharSequence",
+                "new StringBuilder().append(new Letters());     | An object of the program cannot be passed to Java classes as a java.lang.CharSequence",
                 "log.info(String.format(\"%tY\", 1L));          | Unknown format conversion: t",
                 "while (true) {}                                | Stopped at MyAgent.java:4: the program has executed 5000000 instructions"
             })

@@ -53,7 +53,7 @@ function pictureChecks(show) {
     show(shown);
   };
   const names = check('names', 'Names', 'Team and number above each robot', (on) => set('names', on));
-  const trail = check('trail', 'Trail of the ball', 'Where the ball was in the last three seconds', (on) =>
+  const trail = check('trail', 'Trail of the ball', 'Path of the ball over the last three seconds', (on) =>
     set('trail', on),
   );
   names.box.checked = shown.names;
@@ -67,7 +67,7 @@ function pictureChecks(show) {
  * @returns {(state: StudioState) => void} updates the referee's buttons
  */
 export function trainerPanel(send) {
-  const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' }, [], (mode) =>
+  const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets the play mode' }, [], (mode) =>
     send({ do: 'playMode', mode }),
   );
   const panel = byId('trainer');

@@ -31,7 +31,7 @@ export class RecordingRepository {
     placeholder: 'Team, agent, date…',
     'aria-label': 'Search recordings',
   });
-  #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#applyFilter());
+  #filter = choice({ id: 'recording-filter', 'aria-label': 'Filter recordings' }, FILTERS, () => this.#applyFilter());
   #undo = button('Undo', 'Restores the last deleted recording', () => attempt(() => this.#bringBack(), this.listener), {
     id: 'recording-undo',
     hidden: '',

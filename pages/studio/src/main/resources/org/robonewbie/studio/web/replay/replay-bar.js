@@ -39,7 +39,7 @@ export class ReplayBar {
     this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
-    this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
+    this.loop = this.#key('replay-loop', 'Loop', 'Loop two seconds around this moment', 'L');
     this.recording = button('Recordings', 'Choose another recording', actions.showRecordings, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },

@@ -37,7 +37,7 @@ export class PlotController {
     const holding = 'Hold the curves; the simulation continues';
     this.pause = button('Hold', holding, () => this.hold(), { id: 'hold-curves' });
     const zoom = choice(
-      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'Time range of the curves' },
+      { id: 'curve-span', 'aria-label': 'Time range of the curves', title: 'Time range of the curves' },
       SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
       (seconds) => {
         this.span = Number(seconds);

@@ -132,7 +132,7 @@ export class RobotRoom {
     const place = placeOf(frame, robot);
     setText(
       this.facts,
-      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
+      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'standing' : 'lying'}`,
     );
     const { name, keyframe } = thoughts.motion;
     setText(this.motion, name ? `Motion ${name}, moving to keyframe ${keyframe}` : 'No motion is running');
