@@ -26,7 +26,7 @@ const attempt = {
 };
 
 test('progress names the running trial and the results of all', () => {
-  assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being judged.');
+  assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being graded.');
   assert.equal(progressText({ ...attempt, state: 'WAITING' }), 'Trial 2 of 2: Kick.java is starting…');
   assert.equal(progressText({ ...attempt, state: 'OVER', judged: [trial, trial] }), 'Not yet passed: 4.0 of 10 points');
   assert.equal(

@@ -27,7 +27,7 @@ test('a static call of a missing class is recognised like its type', () => {
     assert.match(said(unknown(kind, 'TimeUnit')), /instead of waiting/);
     assert.match(said(unknown(kind, 'Executors')), /^This page has no threads: let think\(\) do a little/);
     assert.match(said(unknown(kind, 'AtomicInteger')), /no threads/);
-    assert.match(said(unknown(kind, 'Scanner')), /neither files nor a keyboard/);
+    assert.match(said(unknown(kind, 'Scanner')), /cannot use files or the keyboard/);
     assert.match(said(unknown(kind, 'Instant')), /nao\.getTime\(\)/);
     assert.match(said(unknown(kind, 'JFrame')), /cannot open windows/);
   }
@@ -36,11 +36,11 @@ test('a static call of a missing class is recognised like its type', () => {
 test('each other missing Java class is reported with an alternative', () => {
   assert.equal(
     said(unknown('class', 'EnumMap')),
-    'This page does not have java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer has it.',
+    'This page does not have java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer supports this.',
   );
   assert.equal(
     said(unknown('variable', 'UUID')),
-    'This page does not have java.util.UUID. RoboNewbie on your computer has it.',
+    'This page does not have java.util.UUID. RoboNewbie on your computer supports this.',
   );
 });
 

@@ -75,7 +75,7 @@ test('speed, range and collision faults of a moment name their links', { skip: !
     fast.map(({ kind, links }) => [kind, links]),
     [['speed', [linkIndex(body, 'head')]]],
   );
-  assert.match(fast[0].text, /^neck yaw would turn 900°\/s, more than the 352°\/s that its motor can$/);
+  assert.match(fast[0].text, /^neck yaw would turn at 900°\/s, more than the 352°\/s that its motor can reach$/);
   const bent = faults(frames, 1000).filter(({ kind }) => kind === 'range');
   assert.equal(bent[0].text, 'left knee pitch at -140° is beyond -130° to 1°');
   assert.deepEqual(bent[0].links, [linkIndex(body, 'lshank')]);
@@ -89,7 +89,7 @@ test('a slow transition names its fastest joint, and a joint at its limit is rep
   ];
 
   const [fastest] = faults(frames, 600);
-  assert.equal(fastest.text, 'fastest: right hip pitch with 65 of the 352°/s that its motor can');
+  assert.equal(fastest.text, 'fastest: right hip pitch at 65 of the 352°/s that its motor can reach');
   const limit = faults(frames, 1500).filter(({ kind }) => kind === 'limit');
   assert.deepEqual(
     limit.map(({ text }) => text),
@@ -114,7 +114,7 @@ test('the joint with the largest lag is named, with the time', { skip: !body }, 
   assert.ok(lag.worst.every(({ degrees }, i) => i === knee || degrees < 0.01));
   assert.deepEqual(
     lagFaults(body, lag, 45).map(({ text }) => text),
-    ['left knee pitch is 8° from the plan'],
+    ['left knee pitch is 8° off the plan'],
   );
   assert.deepEqual(lagFaults(body, lag, 200), []);
 });

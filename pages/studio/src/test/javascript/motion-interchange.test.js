@@ -85,9 +85,9 @@ withBody('the sign convention of a Webots file is detected by the joint ranges',
   assert.equal(frames[0].degrees[0], stand[0]);
   assert.equal(frames[1].degrees[0], -90);
   assert.deepEqual(first.notes, [
-    'Read with NAO’s own signs, as Webots writes them.',
-    'Without LHand, which this robot does not have.',
-    'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: angles of the start posture are used.',
+    'Angles were read with NAO’s own signs, as Webots writes them.',
+    'Skipped LHand, which this robot does not have.',
+    'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: the angles of the start posture are used.',
   ]);
   const second = read('theirs.motion', original);
   assert.ok(Math.abs(keyframesOf(second.document)[0].degrees[knee] + 68.755) < 1e-3);
@@ -108,7 +108,7 @@ withBody('unreadable rows are kept with a message and their line number', () => 
   );
   assert.equal(
     notes[2],
-    'Skipped and kept unchanged: line 3 of the file: found “1”, expected a time such as 00:01:500, and 1 more. Agents refuse the file until it is corrected.',
+    'Skipped and kept unchanged: line 3 of the file: found “1”, expected a time such as 00:01:500, and 1 more. Agents reject the file until it is corrected.',
   );
   const table = read('theirs.csv', 'way_ms,NECK_YAW\n500,10\nabc,20\n500,12a\n');
   assert.match(table.notes[1], /line 3 of the file: found “abc”, expected a time for way_ms, and 1 more/);
@@ -141,9 +141,9 @@ withBody('tables may have any column order, times instead of durations, and deci
   assert.equal(frames[0].degrees[joint('RIGHT_KNEE_PITCH')], stand[joint('RIGHT_KNEE_PITCH')]);
   assert.equal(document.lines[0].text, '// slowly');
   assert.deepEqual(notes, [
-    'Without remark, which this robot does not have.',
-    'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: angles of the start posture are used.',
-    'If a cell is empty (line 4), the joint keeps its angle.',
+    'Skipped remark, which this robot does not have.',
+    'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: the angles of the start posture are used.',
+    'Where a cell is empty (line 4), the joint keeps its angle.',
   ]);
 });
 
@@ -180,7 +180,7 @@ withBody('the path along the first transitions of a net is imported, and other b
     ],
   );
   assert.match(notes[1], /2 other transitions are kept as comments/);
-  assert.match(notes[2], /continues at keyframe 1 again; the motion ends there/);
+  assert.match(notes[2], /returns to keyframe 1; the motion ends there/);
   assert.match(notes[3], /line 7 of the file: found 1 angles, expected 2/);
 });
 
@@ -255,7 +255,7 @@ const READ = [
       [400, -68.8],
       [400, -68.8],
     ],
-    /If a cell is empty \(line 3\), the joint keeps its angle/,
+    /Where a cell is empty \(line 3\), the joint keeps its angle/,
   ],
   [
     'times that decrease or repeat',
@@ -265,7 +265,7 @@ const READ = [
       [400, -68.8],
       [600, 17.2],
     ],
-    /line 3 of the file: found the time 300 ms, expected a later one than 400 ms before, and 1 more/,
+    /line 3 of the file: found the time 300 ms, expected a time later than the previous one, 400 ms, and 1 more/,
   ],
   [
     'times closer than a cycle',
@@ -276,7 +276,7 @@ const READ = [
       [20, -68.8],
       [60, 17.2],
     ],
-    /shorter than a cycle of 20 ms are played in 20 ms \(line 3\)/,
+    /shorter than one cycle of 20 ms are extended to 20 ms \(line 3\)/,
   ],
   [
     'invalid numbers',
@@ -293,7 +293,7 @@ const READ = [
       [500, -68.8],
       [1000, 17.2],
     ],
-    /NAO’s names: read as degrees with NAO’s own signs/,
+    /NAO’s joint names: angles were read as degrees with NAO’s own signs/,
   ],
   [
     'a table with more cells than names',
@@ -409,7 +409,7 @@ const REFUSED = [
     'another version',
     'a.motion',
     '#WEBOTS_MOTION,V3.0,LKneePitch\n00:01:000,P,1\n',
-    /of version “V3.0”; V1.0 and V1.1 can be read/,
+    /has version “V3.0”; only V1.0 and V1.1 can be read/,
   ],
   [
     'a table of unknown joints',
@@ -452,7 +452,7 @@ withBody('an import reads what editors and spreadsheets save', () => {
   for (const bytes of [Buffer.from(table), Buffer.from(`\uFEFF${table}`), wide, Buffer.from(table, 'latin1')]) {
     const { document, notes } = readMotion('mine.csv', new Uint8Array(bytes), body, stand);
     assert.deepEqual(played(document, 'LEFT_SHOULDER_PITCH'), [[500, 10.5]]);
-    assert.match(notes[0], /Without für mich/);
+    assert.match(notes[0], /Skipped für mich/);
   }
   const damaged = Uint8Array.from([...Buffer.from(`${table}# ä\n`), 0xff]);
   assert.throws(() => readMotion('mine.csv', damaged, body, stand), /mine.csv was not imported: line 4 is not UTF-8/);

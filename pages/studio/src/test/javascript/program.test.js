@@ -122,10 +122,10 @@ test('problems of a class name are explained', () => {
   for (const good of ['My', 'Größe', 'Привет', '_a1', 'My.java', '$x']) {
     assert.equal(classNameProblem(good), '', good);
   }
-  assert.equal(classNameProblem('My Agent'), 'The name of a class cannot contain a blank.');
-  assert.equal(classNameProblem('1st'), 'The name of a class cannot begin with “1”.');
-  assert.equal(classNameProblem('a/b'), 'The name of a class cannot contain “/”.');
-  assert.equal(classNameProblem(''), 'The name of a class has 1 to 80 letters.');
+  assert.equal(classNameProblem('My Agent'), 'A class name cannot contain a space.');
+  assert.equal(classNameProblem('1st'), 'A class name cannot begin with “1”.');
+  assert.equal(classNameProblem('a/b'), 'A class name cannot contain “/”.');
+  assert.equal(classNameProblem(''), 'A class name has 1 to 80 characters.');
 });
 
 test('a new program gets a free name in the folder of its project', () => {

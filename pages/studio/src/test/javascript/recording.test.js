@@ -185,7 +185,7 @@ test('pieces are loaded on demand and evicted when there are many', async () => 
 test('other files are refused with a message', () => {
   assert.throws(
     () => new RecordingReader(() => 22).push(new TextEncoder().encode('Hello, this is some other file')),
-    /not a recording/,
+    /not a RoboNewbie recording/,
   );
 });
 

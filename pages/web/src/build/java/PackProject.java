@@ -35,7 +35,7 @@ final class PackProject {
         if (Files.isRegularFile(jar)) {
             pack(made(root, jar), folder, texts, libraries);
         } else {
-            System.out.println("The page will offer no project for download: missing " + jar + ".");
+            System.out.println("The page will offer no project for download: " + jar + " is missing.");
         }
         project.add("texts", texts);
         project.add("libraries", libraries);

@@ -25,7 +25,7 @@ test('a link of the first format is read', async () => {
   });
 });
 
-test('a link that is cut off or damaged is refused in one sentence', async () => {
+test('a link that is incomplete or damaged is refused in one sentence', async () => {
   const whole = hashOf(`MyAgent.java\n${Array.from({ length: 400 }, (_, i) => `line ${i * 7919}`).join('\n')}`);
   const damaged = [
     '#program?shared=',
@@ -38,13 +38,13 @@ test('a link that is cut off or damaged is refused in one sentence', async () =>
   ];
   for (const hash of damaged) {
     await assert.rejects(sharedProgram(hash), {
-      message: /^The program of this link cannot be read: .* Ask for the complete link/,
+      message: /^The program in this link cannot be read: .* Ask for the complete link/,
     });
   }
 });
 
 test('a link that unpacks to an oversized program is refused before it is unpacked completely', async () => {
-  await assert.rejects(sharedProgram(hashOf(Buffer.alloc(300_000_000))), { message: /more than 1 MB/ });
+  await assert.rejects(sharedProgram(hashOf(Buffer.alloc(300_000_000))), { message: /larger than 1 MB/ });
 });
 
 test('two programs with the same class are both exported', () => {

@@ -23,10 +23,10 @@ import { world } from './world-process.js';
 import { WorldQuestions } from './world-questions.js';
 
 const NOT_KEPT =
-  'This browser stores nothing for this page, as in a private window: press Download before you close it, or your work is lost.';
+  'This browser does not store data for this page, as in a private window. Press Download before you close the page, or your work is lost.';
 
 const NO_ROOM_FOR_SHARED =
-  'This browser has no space for the program of this link: delete scenes that you do not need, and open the link again.';
+  'This browser has no space left for the program in this link. Delete scenes that you do not need, then open the link again.';
 
 /**
  * Stores the program from the page's address, if there is one.

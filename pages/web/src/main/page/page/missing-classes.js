@@ -1,10 +1,10 @@
 /** Advice for Java features that this page lacks. Pure functions. */
 
-const ELSEWHERE = 'RoboNewbie on your computer has it.';
+const ELSEWHERE = 'RoboNewbie on your computer supports this.';
 const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other, and count cycles or compare nao.getTime() instead of waiting. ${ELSEWHERE}`;
-const FILES = `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`;
-const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not available in this page. ${ELSEWHERE}`;
-const WINDOWS = `Programs of this page cannot open windows. ${ELSEWHERE}`;
+const FILES = `Programs on this page cannot use files or the keyboard: write output with log.info(...). ${ELSEWHERE}`;
+const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not available on this page. ${ELSEWHERE}`;
+const WINDOWS = `Programs on this page cannot open windows. ${ELSEWHERE}`;
 
 /** Patterns for qualified Java names, with advice. @type {Array<[RegExp, string]>} */
 const BY_NAME = [
@@ -39,7 +39,7 @@ const SIMILAR = {
 const OF_ROBONEWBIE = [
   [
     /package org\.robonewbie\.(exercises|trial|simulator|learning)|class (Grader|Exercises|ExerciseCheck)\b/,
-    `Programs of this page cannot start trials themselves: press Check, and change the numbers between two trials. ${ELSEWHERE}`,
+    `Programs on this page cannot start trials: press Check, and change the numbers between trials. ${ELSEWHERE}`,
   ],
 ];
 

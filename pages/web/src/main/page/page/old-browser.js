@@ -9,6 +9,6 @@ export const isBrowserNewEnough = () =>
 
 export function showBrowserAdvice() {
   byId('stage-opening').textContent =
-    'This browser is too old for the simulator in this page (it lacks WebAssembly GC): use Chromium 119, Firefox 120, Safari 18.2' +
+    'This browser is too old for the simulator on this page (it lacks WebAssembly GC). Use Chromium 119, Firefox 120, Safari 18.2' +
     ' or newer, or install RoboNewbie on your computer.';
 }

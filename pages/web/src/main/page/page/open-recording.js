@@ -24,7 +24,7 @@ export class OpenRecording {
   /** @param {Uint8Array} bytes next decompressed bytes */
   push(bytes) {
     if (this.length + bytes.length > MAX_BYTES) {
-      throw new Error('The recording is larger than a page can show.');
+      throw new Error('The recording is too large for this page.');
     }
     if (this.length + bytes.length > this.#bytes.length) {
       const larger = new Uint8Array(Math.max(2 * this.#bytes.length, this.length + bytes.length));

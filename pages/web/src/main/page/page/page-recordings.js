@@ -175,7 +175,7 @@ export class PageRecordings {
   #find(name) {
     const entry = [...this.#entries.values()].find((each) => each.name === name);
     if (!entry) {
-      throw new Error('There is no such recording any more. Choose another one.');
+      throw new Error('This recording no longer exists. Choose another one.');
     }
     return entry;
   }
@@ -230,7 +230,7 @@ export class PageRecordings {
     await unpack([packed], (bytes) => content.push(bytes));
     content.readOn();
     if (content.reader.moments.length === 0) {
-      throw new Error(`“${name}” is not a recording of RoboNewbie, or it is damaged.`);
+      throw new Error(`“${name}” is not a RoboNewbie recording, or it is damaged.`);
     }
     await this.#work;
     const entry = this.#fresh(name.replace(/\.rec$/, ''), '');
@@ -251,7 +251,7 @@ export class PageRecordings {
     this.#refuseRunning(from);
     const to = wanted.trim().slice(0, MAX_NAME_LETTERS);
     if (to !== from && [...this.#entries.values()].some(({ name }) => name === to)) {
-      throw new Error(`There is a recording “${to}” already. Choose another name.`);
+      throw new Error(`There is already a recording named “${to}”. Choose another name.`);
     }
     await this.#change(from, { name: to });
   }
@@ -265,7 +265,7 @@ export class PageRecordings {
   /** @param {string} name */
   #refuseRunning(name) {
     if (this.#running?.entry.name === name) {
-      throw new Error(`“${name}” is being recorded now. Reset the run in the room Field first.`);
+      throw new Error(`“${name}” is still being recorded. Reset the run in the Field room first.`);
     }
   }
 

@@ -1,6 +1,6 @@
 /** Answers the studio's requests for files, scenes and exercises locally, because this page has no server. */
 
-const NOT_HERE = 'This is not available in this page. Use RoboNewbie on your computer.';
+const NOT_HERE = 'This is not available on this page. Use RoboNewbie on your computer.';
 
 /**
  * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler for one part of the API

@@ -94,7 +94,7 @@ export async function project(programs, shown) {
   const template = await (await fetched('project.json')).json();
   if (template.libraries.length === 0) {
     throw new Error(
-      'This page was built without the files of a project. Copy the text of your program instead.',
+      'This page was built without the project files. Copy the text of your program instead.',
     );
   }
   /** @type {Map<string, string | Uint8Array>} */
@@ -113,7 +113,7 @@ export async function project(programs, shown) {
 async function fetched(name) {
   const answer = await fetch(FOLDER + name).catch(() => undefined);
   if (!answer?.ok) {
-    throw new Error('The files of a project could not be loaded: is there a network?');
+    throw new Error('The project files could not be loaded. Are you connected to the network?');
   }
   return answer;
 }

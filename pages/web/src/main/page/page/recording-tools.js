@@ -11,7 +11,7 @@ export function addRecordingTools(studio, recordings) {
   });
   const save = button(
     'File',
-    'Save the recording for RoboNewbie on your computer: ./robonewbie studio FILE.rec shows it',
+    'Save the recording, to view it on your computer with: ./robonewbie studio FILE.rec',
     () => saveFile(studio().replay.file?.name, recordings).catch(note),
     { id: 'export-recording' },
   );

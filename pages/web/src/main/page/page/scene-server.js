@@ -4,7 +4,7 @@
  */
 import { asBytes, asText, BrowserRepository } from './browser-repository.js';
 
-const NO_ROOM = 'This browser has no space for another scene. Delete one first.';
+const NO_ROOM = 'This browser has no space left for another scene. Delete one first.';
 
 export class SceneServer {
   #repository = new BrowserRepository('robonewbie-page-scene:');

@@ -3,8 +3,9 @@
 const MARK = 'shared=';
 const MAX_BYTES = 1_000_000;
 
-const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for the complete link.';
-const TOO_LARGE = `The program of this link has more than ${MAX_BYTES / 1_000_000} MB, the limit for programs.`;
+const DAMAGED =
+  'The program in this link cannot be read: the link is incomplete or damaged. Ask for the complete link.';
+const TOO_LARGE = `The program in this link is larger than ${MAX_BYTES / 1_000_000} MB, the limit for programs.`;
 
 /** @param {ReadableStream<any>} stream @returns {Promise<Uint8Array>} */
 async function bytesOf(stream) {

@@ -107,7 +107,7 @@ final class Bridges {
         }
         Function<Call, Object> maker = MAKERS.get(type);
         if (maker == null) {
-            throw new Missing("An object of the program cannot be passed to Java's classes as a " + type.getName());
+            throw new Missing("An object of the program cannot be passed to Java classes as a " + type.getName());
         }
         return maker.apply((method, arguments) -> call(value, method, arguments, machine));
     }

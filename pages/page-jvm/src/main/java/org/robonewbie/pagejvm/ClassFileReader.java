@@ -47,13 +47,13 @@ final class ClassFileReader {
     private ClassFile read() throws IOException {
         if (input.readInt() != MAGIC) {
             throw new IllegalArgumentException(
-                    "This is not a class file. Choose an output file of javac, such as MyAgent.class.");
+                    "This is not a class file. Choose a file that javac produced, such as MyAgent.class.");
         }
         input.readUnsignedShort();
         int version = input.readUnsignedShort();
         if (version > NEWEST_VERSION) {
             throw new IllegalArgumentException("This class file has version " + version
-                    + ", made by a newer Java. Compile it with \"javac --release 17\".");
+                    + ": it was compiled for a newer version of Java. Recompile the source with \"javac --release 17\".");
         }
         constants = ConstantReader.read(input);
         int access = input.readUnsignedShort();

@@ -207,8 +207,8 @@ public final class Machine {
         slowCycles++;
         if (slowCycles == SLOW_CYCLES_TO_REPORT) {
             output.println(
-                    "The program executes more than " + SLOW_STEPS + " instructions in a cycle, at " + placeText()
-                            + ". There are 50 cycles per simulated second, so the page becomes slow."
+                    "The program executes more than " + SLOW_STEPS + " instructions in one cycle, at " + placeText()
+                            + ". There are 50 cycles per simulated second, so the page slows down."
                             + " Compute less in a cycle, or spread the work over several cycles.");
         }
     }

@@ -23,7 +23,7 @@ final class StudentObjects {
         String above = type.compiledParent();
         if (!PLAIN.contains(above) && !above.equals(AGENT) && !isThrowable(type)) {
             throw new IllegalArgumentException(type.simpleName() + " extends " + above.replace('/', '.')
-                    + ", which the page does not support; RoboNewbie on your computer does. In the page, a class may extend Agent, an"
+                    + ", which this page does not support; RoboNewbie on your computer does. On this page, a class may extend Agent, an"
                     + " exception, or one of your own classes.");
         }
     }
@@ -132,7 +132,7 @@ final class StudentObjects {
             case "desiredAssertionStatus" -> 0;
             case "toString" -> type.toString();
             case "hashCode" -> type.hashCode();
-            default -> throw new Missing("Class." + method + "() of a class of the program is not available");
+            default -> throw new Missing("Class." + method + "() is not available for a class of the program");
         };
     }
 

@@ -97,7 +97,7 @@ class MachineTest {
 
         assertThatThrownBy(() -> new Program(JavaSource.compile("Try", text).values()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("Try extends java.util.ArrayList, which the page does not support");
+                .hasMessageStartingWith("Try extends java.util.ArrayList, which this page does not support");
     }
 
     @Test

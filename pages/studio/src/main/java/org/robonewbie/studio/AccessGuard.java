@@ -22,9 +22,9 @@ final class AccessGuard extends Handler.Wrapper {
             <!doctype html>
             <html lang="en"><meta charset="utf-8"><title>RoboNewbie Studio</title>
             <h1>This address has already been used</h1>
-            <p>Each address works once, within ten minutes.
-            Press <kbd>Enter</kbd> in the terminal where RoboNewbie runs for a new one, or start RoboNewbie again.</p>
-            <p>In this browser the studio may be <a href="/">open already</a>.</p>
+            <p>Each address works only once and expires after ten minutes.
+            For a new one, press <kbd>Enter</kbd> in the terminal in which RoboNewbie is running, or restart RoboNewbie.</p>
+            <p>The studio may <a href="/">already be open</a> in this browser.</p>
             """;
 
     private final AccessRule rule;

@@ -38,19 +38,19 @@ final class AccessRule {
      */
     Optional<String> refusal(String method, String host, String origin, String site, String path, boolean isSignedIn) {
         if (!hosts.contains(host)) {
-            return Optional.of(
-                    "The studio answers to " + hosts.stream().sorted().toList() + " only, not to \"" + host
-                            + "\". Open the address that the simulator printed.");
+            return Optional.of("The studio only accepts requests to "
+                    + hosts.stream().sorted().toList() + ", not to \"" + host
+                    + "\". Open the address that the simulator printed.");
         }
         if (!origin.isEmpty() && !origin.equals("http://" + host)) {
-            return Optional.of("Pages of \"" + origin + "\" may not use the studio.");
+            return Optional.of("Pages from \"" + origin + "\" may not use the studio.");
         }
         boolean isLive = path.equals(LIVE_PATH) || path.startsWith(EventBus.PATHS);
         if (isLive || path.startsWith(WORK_PATH)) {
             return refusalOfUse(isLive, method, origin, site, isSignedIn);
         }
         if (!method.equals("GET") && !method.equals("HEAD")) {
-            return Optional.of("The studio's files can be read, but not changed with " + method + ".");
+            return Optional.of("The studio's files are read-only: " + method + " is not allowed.");
         }
         return Optional.empty();
     }
@@ -61,17 +61,17 @@ final class AccessRule {
     private static Optional<String> refusalOfUse(
             boolean isLive, String method, String origin, String site, boolean isSignedIn) {
         if (FOREIGN_SITES.contains(site)) {
-            return Optional.of("Pages of other addresses may not use the studio.");
+            return Optional.of("Pages from other addresses may not use the studio.");
         }
         if (isLive && origin.isEmpty()) {
-            return Optional.of("Only a page of the studio may watch the simulation; this request names no origin.");
+            return Optional.of("Only pages of the studio may watch the simulation; this request has no Origin header.");
         }
         if (!method.equals("GET") && origin.isEmpty()) {
-            return Optional.of("Only a page of the studio may change files; this request names no origin.");
+            return Optional.of("Only pages of the studio may change files; this request has no Origin header.");
         }
         return isSignedIn
                 ? Optional.empty()
                 : Optional.of("This browser is not signed in, or the studio was started by another user. Press Enter in"
-                        + " the terminal where RoboNewbie runs and open the address that it prints.");
+                        + " the terminal in which RoboNewbie is running, and open the address that it prints.");
     }
 }

@@ -49,12 +49,12 @@ public final class PageFeed implements TelemetrySink {
 
         @Override
         default void addObserver(SimulationObserver observer) {
-            throw new UnsupportedOperationException("The world of a page supports no observers.");
+            throw new UnsupportedOperationException("The simulation in a page does not support observers.");
         }
 
         @Override
         default void removeObserver(SimulationObserver observer) {
-            throw new UnsupportedOperationException("The world of a page supports no observers.");
+            throw new UnsupportedOperationException("The simulation in a page does not support observers.");
         }
     }
 

@@ -160,7 +160,8 @@ final class PuppetService {
                 "Puppets are not available: robonewbie-agent is missing from the class path."));
         AgentLink link = simulation
                 .connect()
-                .orElseThrow(() -> new IllegalStateException("Puppets cannot join a server of another process."));
+                .orElseThrow(
+                        () -> new IllegalStateException("Puppets cannot join a server that runs in another process."));
         puppets.put(player, maker.start(link, team, player.number(), type.ordinal()));
     }
 

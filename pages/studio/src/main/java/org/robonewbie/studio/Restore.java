@@ -42,7 +42,7 @@ final class Restore implements RestorableSimulation {
         }
         if (context.simulation().trial().isPresent()) {
             throw new IllegalStateException(
-                    "A trial that counts cannot be changed. Load the scene after it has ended.");
+                    "A graded trial cannot be changed. Restore the scene after the trial has ended.");
         }
         awaitRobots(moment.state());
         context.simulation().order(new Order.Pause());
@@ -86,7 +86,7 @@ final class Restore implements RestorableSimulation {
         if (wasGoing) {
             context.simulation().order(new Order.Resume());
         }
-        return restored.exact() ? "" : "The world is restored approximately: speeds are estimated.";
+        return restored.exact() ? "" : "The world was restored only approximately: speeds are estimated.";
     }
 
     /** Returns the identities and body types of all robots; an exact state can be restored only if they match. */

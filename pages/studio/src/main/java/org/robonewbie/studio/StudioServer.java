@@ -221,7 +221,7 @@ public final class StudioServer implements Viewer.View {
             connector.open();
         } catch (IOException e) {
             throw new IOException(
-                    "The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
+                    "The studio cannot use port " + port + " of 127.0.0.1; another program is probably using it. "
                             + "Stop that program, or choose another port (0 = any free one).",
                     e);
         }

@@ -67,11 +67,11 @@ class ApiAccessTest {
                 .contains("not to \"evil.example\"");
         assertThat(ask(order, host(), cookie, "Origin: http://evil.example"))
                 .startsWith("HTTP/1.1 403")
-                .contains("Pages of \"http://evil.example\" may not use the studio.");
+                .contains("Pages from \"http://evil.example\" may not use the studio.");
         for (String site : new String[] {"cross-site", "same-site"}) {
             assertThat(ask(order, host(), cookie, "Sec-Fetch-Site: " + site))
                     .startsWith("HTTP/1.1 403")
-                    .contains("Pages of other addresses may not use the studio.");
+                    .contains("Pages from other addresses may not use the studio.");
         }
         assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("This browser is not signed in");
         assertThat(ask(order, host(), cookie + "0"))
@@ -105,7 +105,7 @@ class ApiAccessTest {
     void requestsWithoutOriginChangeNothing(String order) throws IOException {
         assertThat(ask(order, host(), cookie, "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
-                .contains("Only a page of the studio may change files; this request names no origin.");
+                .contains("Only pages of the studio may change files; this request has no Origin header.");
         assertThat(ask(order, host(), "Origin: http://" + host(), "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
                 .contains("This browser is not signed in");

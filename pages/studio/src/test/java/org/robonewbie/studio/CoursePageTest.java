@@ -157,7 +157,7 @@ class CoursePageTest {
         browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");
 
         browser.click("#course-start");
-        browser.await("document.querySelector('#course-progress').innerText.includes('being judged')");
+        browser.await("document.querySelector('#course-progress').innerText.includes('being graded')");
         browser.await("studio.state.scene.robots.length === 1");
         course.judge(4, "the ball went 1.00 m", "Be quick.", "hello from the program");
     }

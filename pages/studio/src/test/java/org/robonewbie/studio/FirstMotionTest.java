@@ -51,7 +51,7 @@ class FirstMotionTest {
     void guideLeadsToAMotionOfThreeKeyframesThatAnAgentPlaysByItsName() throws Exception {
         Path folder = project.resolve("motions");
         List<String> bold = boldWordsOfTheSteps();
-        assertThat(bold).containsExactly("Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
+        assertThat(bold).containsExactly("Motion", "+ New", "+ Keyframe", "▶ Play", "Try with physics", "Save");
         try (TestSimulator simulation = new TestSimulator().withRobot();
                 StudioServer studio = StudioServer.start(
                         simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
@@ -70,7 +70,7 @@ class FirstMotionTest {
                     "(function look() { window.hasPlayed ||= " + STATE + ".playing; requestAnimationFrame(look); })()");
             press("▶ Play");
             browser.await("window.hasPlayed && !" + STATE + ".playing");
-            press("Try on a physical robot");
+            press("Try with physics");
             browser.await(STATE + ".trial && !" + STATE + ".playing");
             press("Save");
             browser.fill("#answer", "my-first");

@@ -216,7 +216,7 @@ class MotionAccessTest {
         assertThat(send(put, "x", cookie, "Origin: http://evil.example")).startsWith("HTTP/1.1 403");
         assertThat(send(put, "x", cookie))
                 .startsWith("HTTP/1.1 403")
-                .contains("Only a page of the studio may change files; this request names no origin.");
+                .contains("Only pages of the studio may change files; this request has no Origin header.");
         assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("is not signed in");
         assertThat(send(
                         put,
@@ -282,7 +282,7 @@ class MotionAccessTest {
                 .contains("2 angles, expected 22");
         assertThat(asPage("POST /api/trial", "", "Start: flying"))
                 .startsWith("HTTP/1.1 400")
-                .contains("Unknown start \"flying\". Choose standing, back or front.");
+                .contains("Unknown start position \"flying\". Choose standing, back or front.");
     }
 
     private static String header(String answer, String name) {

@@ -88,7 +88,7 @@ class ProgramEncodingPageTest {
 
         browser.await(NOTE + ".includes('line 1 is not UTF-8 and was read as Windows-1252: \"// Grüße\"')");
         browser.click("#program-encoding button");
-        browser.await(NOTE + ".includes('Lat.java is saved as UTF-8 now') || " + NOTE + " === ''");
+        browser.await(NOTE + ".includes('Lat.java is now saved as UTF-8') || " + NOTE + " === ''");
 
         studio.simulation().awaitTrue(() -> hasContent(file, bytes("", "UTF-8", PROGRAM)));
         typeAndSave("// ä");
@@ -111,7 +111,7 @@ class ProgramEncodingPageTest {
 
         browser.await(
                 NOTE
-                        + ".includes('Lat.java is saved as UTF-8 now, because Windows-1252 cannot represent all of its characters')");
+                        + ".includes('Lat.java is now saved as UTF-8, because Windows-1252 cannot represent all of its characters')");
         assertThat(file).hasBinaryContent((PROGRAM + "// Привет").getBytes(StandardCharsets.UTF_8));
     }
 

@@ -175,7 +175,7 @@ class PuppetPageTest {
         browser.click("#scene-restore");
 
         browser.await("studio.state.frame.paused && " + ANGLE + " > 78");
-        browser.await("document.body.innerText.includes('The world is exactly as it was.')");
+        browser.await("document.body.innerText.includes('The world was restored exactly.')");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -207,7 +207,7 @@ class PuppetPageTest {
 
         browser.await("location.hash === '#field' && !studio.cursor.recorded && studio.state.frame?.paused"
                 + " && studio.state.frame.robots[0]?.torso[2] < 0.25");
-        browser.await("document.body.innerText.includes('The world is restored approximately')");
+        browser.await("document.body.innerText.includes('The world was restored only approximately')");
         browser.await("document.querySelector('.team.left').textContent === 'Ada'");
         browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '1:0'");
     }

@@ -324,7 +324,7 @@ class ReplayPageTest {
                 + " · 2 10.00 m · 3 10.00 m · 4 10.00 m'");
 
         assertThat(number(height)).isEqualTo(before);
-        browser.await("document.querySelector('.compare-line').innerText.includes('Apart, 0 to 0.05 m')");
+        browser.await("document.querySelector('.compare-line').innerText.includes('Distance, 0 to 0.05 m')");
     }
 
     @Tag("slow")
@@ -343,7 +343,7 @@ class ReplayPageTest {
                 simulation.control(), 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
             browser.visit(empty.oneTimeAddress() + "&quality=lowest#replay");
 
-            browser.await("document.querySelector('#replay').textContent.includes('Nothing is recorded yet.')");
+            browser.await("document.querySelector('#replay').textContent.includes('Nothing has been recorded yet.')");
         }
     }
 

@@ -75,7 +75,7 @@ class RobotPageTest {
                 + " row.textContent.includes('Knee pitch') && Math.abs(parseFloat(row.querySelector('.angle').textContent)"
                 + " - studio.state.frame.robots[0].degrees[studio.state.scene.models.TYPE_0.hinges.findIndex(hinge =>"
                 + " hinge.joint === 'LEFT_KNEE_PITCH')]) < 3)");
-        browser.await("document.querySelector('.robot-facts').textContent.includes('stands')");
+        browser.await("document.querySelector('.robot-facts').textContent.includes('standing')");
         browser.await("document.querySelectorAll('.plot canvas').length === 3");
         assertThat(browser.evaluate("document.querySelector('#robot-room').textContent.includes('-0°')")
                         .getAsBoolean())
@@ -93,7 +93,7 @@ class RobotPageTest {
 
         browser.await("document.querySelector('.log .warning')?.textContent.includes('<b>far</b>')");
         browser.await("document.querySelector('.robot-motion').textContent"
-                + " === 'Motion walk-forward, on the way to keyframe 3'");
+                + " === 'Motion walk-forward, moving to keyframe 3'");
         tellUntil(
                 "document.querySelector('[data-value=\"agent/courage\"]')", new TelemetryItem.PlotValue("courage", 7));
         tellUntil(

@@ -49,7 +49,7 @@ final class SteeredField implements AutoCloseable {
         browser.click("#add-puppet");
         browser.await("studio.state.scene.robots[0]?.puppet && studio.state.frame.robots[0].torso[0] > -1");
         browser.await("studio.puppet.player"
-                + " && document.querySelector('#puppet').innerText.includes('You steer Puppets 1')");
+                + " && document.querySelector('#puppet').innerText.includes('You are steering Puppets 1')");
     }
 
     @Override

@@ -56,7 +56,7 @@ class StudioAccessTest {
                 .contains("Referrer-Policy: no-referrer");
         assertThat(get(address, host()))
                 .startsWith("HTTP/1.1 403")
-                .contains("This address has already been used", "Press <kbd>Enter</kbd>", "Cache-Control: no-store")
+                .contains("This address has already been used", "press <kbd>Enter</kbd>", "Cache-Control: no-store")
                 .doesNotContain("Set-Cookie", studio.oneTimeAddress().getQuery());
     }
 
@@ -221,7 +221,7 @@ class StudioAccessTest {
     void foreignPagesMayNotReadFiles(String origin) throws IOException {
         String answer = RawHttp.send(studio.address(), "GET / HTTP/1.1", "Host: " + host(), "Origin: " + origin);
 
-        assertThat(answer).startsWith("HTTP/1.1 403").contains("Pages of \"" + origin + "\" may not use the studio.");
+        assertThat(answer).startsWith("HTTP/1.1 403").contains("Pages from \"" + origin + "\" may not use the studio.");
     }
 
     @ParameterizedTest
@@ -230,7 +230,7 @@ class StudioAccessTest {
         String answer = RawHttp.send(
                 studio.address(), method + " /index.html HTTP/1.1", "Host: " + host(), "Content-Length: 0");
 
-        assertThat(answer).startsWith("HTTP/1.1 403").contains("but not changed with " + method);
+        assertThat(answer).startsWith("HTTP/1.1 403").contains("read-only: " + method);
     }
 
     @Test
@@ -256,14 +256,14 @@ class StudioAccessTest {
 
         assertThat(upgrade("/live", "http://evil.example", cookie))
                 .startsWith("HTTP/1.1 403")
-                .contains("Pages of \"http://evil.example\" may not use the studio.");
+                .contains("Pages from \"http://evil.example\" may not use the studio.");
     }
 
     @Test
     void liveFeedIsRefusedWithoutOrigin() throws IOException {
         String answer = RawHttp.send(studio.address(), upgradeLines("/live"));
 
-        assertThat(answer).startsWith("HTTP/1.1 403").contains("Only a page of the studio may watch the simulation");
+        assertThat(answer).startsWith("HTTP/1.1 403").contains("Only pages of the studio may watch the simulation");
     }
 
     @Test
@@ -287,8 +287,9 @@ class StudioAccessTest {
 
         assertThatThrownBy(() -> StudioServer.start(simulation.control(), port, TOKEN))
                 .isInstanceOf(IOException.class)
-                .hasMessage("The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
-                        + "Stop that program, or choose another port (0 = any free one).");
+                .hasMessage(
+                        "The studio cannot use port " + port + " of 127.0.0.1; another program is probably using it. "
+                                + "Stop that program, or choose another port (0 = any free one).");
     }
 
     private static String host() {

@@ -110,7 +110,7 @@ final class PageCourse implements CourseHost, ProgressStore {
     @Override
     public Attempt begin(Exercise exercise, long id, String program, int trials, Consumer<Grade> judged) {
         if (program.isEmpty()) {
-            throw new IllegalArgumentException("This page only runs programs written in it: choose one.");
+            throw new IllegalArgumentException("This page runs only programs that were written in it. Choose one.");
         }
         return starter.begin(exercise, id, trials, judged);
     }

@@ -31,7 +31,7 @@ final class PatientLink implements AgentLink {
         try {
             return link.isMessageWaiting();
         } catch (IOException lost) {
-            throw new UncheckedIOException("The world of the page has closed its connection.", lost);
+            throw new UncheckedIOException("The simulator of this page has closed the connection.", lost);
         }
     }
 

@@ -327,7 +327,7 @@ public final class WebEdition {
         List<String> missing = program.missing();
         if (!missing.isEmpty()) {
             throw new IllegalArgumentException(
-                    "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer has it.");
+                    "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer supports this.");
         }
         return program;
     }

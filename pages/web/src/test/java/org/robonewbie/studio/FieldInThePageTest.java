@@ -88,7 +88,7 @@ class FieldInThePageTest {
 
         browser.await("studio.state.frame.paused && (" + STATE + ") === '" + kept + "'");
         browser.await(
-                SAYS + "'The world is exactly as it was. Agents are not restored: they keep what they remember.'");
+                SAYS + "'The world was restored exactly. Agents are not restored: they keep what they remember.'");
         browser.await(NEXT + "'Undo: scene loaded (Ctrl+Z)'");
         assertThat(browser.complaints()).isEmpty();
     }
@@ -125,7 +125,7 @@ class FieldInThePageTest {
 
         browser.await("location.hash === '#field' && studio.state.frame.paused && Math.hypot(" + BALL + "[0], " + BALL
                 + "[1]) < 0.01");
-        browser.await("document.querySelector('#toast').textContent.includes('The world is restored approximately')");
+        browser.await("document.querySelector('#toast').textContent.includes('The world was restored only approximately')");
         browser.click("#world-undo");
         browser.await("Math.abs(" + BALL + "[0] - 3) < 0.3");
         assertThat(browser.complaints()).isEmpty();

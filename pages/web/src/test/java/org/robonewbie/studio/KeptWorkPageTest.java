@@ -63,7 +63,7 @@ class KeptWorkPageTest {
         browser.await(EDITOR + ".text === '// theirs'");
         browser.await(NOTES + ".includes('This program was shared with you.')");
         assertThat(all(browser)).contains("draft:MyAgent.java=// unsaved", "draft:MyAgent2.java=// theirs");
-        clickNote(browser, "Back to mine");
+        clickNote(browser, "Back to my program");
         browser.await(EDITOR + ".text === '// unsaved'");
         assertThat(all(browser)).doesNotContain("theirs");
     }
@@ -94,7 +94,7 @@ class KeptWorkPageTest {
         chromium.await(NOTES + ".includes('shared with you')");
         chromium.evaluate(EDITOR + ".replace('// theirs, and mine')");
 
-        clickNote(chromium, "Back to mine");
+        clickNote(chromium, "Back to my program");
 
         chromium.await(texts() + ".includes('=// theirs, and mine')");
     }
@@ -106,7 +106,7 @@ class KeptWorkPageTest {
 
         open(chromium, "#program?shared=rubbish");
 
-        chromium.await(TOAST + ".includes('the link is cut off or damaged')");
+        chromium.await(TOAST + ".includes('the link is incomplete or damaged')");
         assertThat(all(chromium)).isEqualTo(before);
     }
 
@@ -154,7 +154,7 @@ class KeptWorkPageTest {
                 + " + 'robonewbie-page-draft:MyAgent.java', '// of the other window')");
 
         chromium.evaluate(EDITOR + ".replace('// of this window')");
-        chromium.await(NOTES + ".includes('Another window has unsaved changes to MyAgent.java, too.')");
+        chromium.await(NOTES + ".includes('Another window also has unsaved changes to MyAgent.java.')");
         assertThat(chromium.evaluate("studio.rooms.isAtRisk").getAsBoolean()).isTrue();
         chromium.click("#program-save");
 

@@ -82,7 +82,7 @@ class ProgramInThePageTest {
     @CsvSource({
         "new Thread(() -> {}).start();, This page has no threads",
         "new org.robonewbie.exercises.Grader();, press Check",
-        "new java.util.Scanner(System.in);, neither files nor a keyboard",
+        "new java.util.Scanner(System.in);, cannot use files or the keyboard",
         "java.time.Instant.now();, nao.getTime()",
         "nao.setJointSped(0);, Did you mean setJointSpeed?",
         "'new Vector3(1, 2, 3);', Add at the top of the file: import org.robonewbie.nao.Vector3;",

@@ -47,17 +47,17 @@ class WhatThePageLacksTest {
                 "new java.util.Timer();                           | This page has no threads: let think() do a little",
                 "new java.util.concurrent.atomic.AtomicInteger(); | This page has no threads: let think() do a little",
                 "java.util.concurrent.Executors.newCachedThreadPool(); | This page has no threads: let think() do a little",
-                "java.nio.file.Path.of(\"x\");                    | This page has neither files nor a keyboard",
-                "new java.net.Socket();                           | This page has neither files nor a keyboard",
-                "new java.io.File(\"x\");                       | This page has neither files nor a keyboard",
-                "new java.util.Scanner(\"x\");                    | This page has neither files nor a keyboard",
+                "java.nio.file.Path.of(\"x\");                    | Programs on this page cannot use files or the keyboard",
+                "new java.net.Socket();                           | Programs on this page cannot use files or the keyboard",
+                "new java.io.File(\"x\");                       | Programs on this page cannot use files or the keyboard",
+                "new java.util.Scanner(\"x\");                    | Programs on this page cannot use files or the keyboard",
                 "java.time.LocalDate.now();                       | Time on the pitch is nao.getTime(), in seconds",
                 "new java.util.Date();                            | Time on the pitch is nao.getTime(), in seconds",
-                "new org.robonewbie.exercises.Grader();           | Programs of this page cannot start trials themselves",
-                "org.robonewbie.trial.Trial.class.getName();      | Programs of this page cannot start trials themselves",
-                "org.robonewbie.simulator.server.Simulator.class.getName(); | Programs of this page cannot start trials",
-                "new javax.swing.JFrame();                        | Programs of this page cannot open windows",
-                "new java.awt.Color(1);                           | Programs of this page cannot open windows",
+                "new org.robonewbie.exercises.Grader();           | Programs on this page cannot start trials",
+                "org.robonewbie.trial.Trial.class.getName();      | Programs on this page cannot start trials",
+                "org.robonewbie.simulator.server.Simulator.class.getName(); | Programs on this page cannot start trials",
+                "new javax.swing.JFrame();                        | Programs on this page cannot open windows",
+                "new java.awt.Color(1);                           | Programs on this page cannot open windows",
                 "try { Thread.sleep(5); } catch (Exception e) {}   | This page has no threads: let think() do a little",
                 "java.util.concurrent.TimeUnit.SECONDS.sleep(1);  | This page has no threads: let think() do a little",
                 "java.util.EnumMap<?, ?> map = null;              | does not have java.util.EnumMap: use HashMap or TreeMap instead",
@@ -75,12 +75,12 @@ class WhatThePageLacksTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "\"a\".describeConstable();                     | The page does not have java.lang.String.describeConstable. RoboNewbie on your computer has it.",
+                "\"a\".describeConstable();                     | The page does not have java.lang.String.describeConstable. RoboNewbie on your computer supports this.",
                 "log.info(String.class.getPackageName());       | java.lang.Class.getPackageName is not available. The page cannot do this; RoboNewbie on your computer can.",
-                "log.info(getClass().getPackageName());         | Class.getPackageName() of a class of the program is not available. The page cannot do this",
+                "log.info(getClass().getPackageName());         | Class.getPackageName() is not available for a class of the program. The page cannot do this",
                 "java.util.Arrays.hashCode(new int[] {1});      | hashCode with an array of numbers or characters is not available",
                 "String.valueOf(new char[] {'a'});              | with an array of numbers or characters is not available",
-                "new StringBuilder().append(new Letters());     | An object of the program cannot be passed to Java's classes as a java.lang.CharSequence",
+                "new StringBuilder().append(new Letters());     | An object of the program cannot be passed to Java classes as a java.lang.CharSequence",
                 "log.info(String.format(\"%tY\", 1L));          | Unknown format conversion: t",
                 "while (true) {}                                | Stopped at MyAgent.java:4: the program has executed 5000000 instructions"
             })
@@ -111,7 +111,7 @@ class WhatThePageLacksTest {
                 """);
         browser.click("#program-run");
 
-        browser.await(ROOM + ".includes('Try extends java.util.ArrayList, which the page does not support')");
+        browser.await(ROOM + ".includes('Try extends java.util.ArrayList, which this page does not support')");
     }
 
     @Test

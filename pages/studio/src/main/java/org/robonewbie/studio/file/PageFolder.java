@@ -118,7 +118,7 @@ public abstract class PageFolder {
                 ? file
                         + " was deleted by another program after it was opened here. Keep it open, or save it under another name."
                 : file
-                        + " was changed by another program after it was opened here. Load it again or save it under another name.";
+                        + " was changed by another program after it was opened here. Reload it, or save it under another name.";
     }
 
     /**

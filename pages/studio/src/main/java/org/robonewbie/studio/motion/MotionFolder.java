@@ -53,8 +53,7 @@ final class MotionFolder extends PageFolder {
     public Path file(String name) {
         FileName.problem(Normalizer.normalize(name, Normalizer.Form.NFC)).ifPresent(problem -> {
             throw new RefusedException(
-                    400,
-                    "\"" + name + "\" is not a valid name for a motion, since it " + problem + ". Choose another one.");
+                    400, "\"" + name + "\" is not a valid motion name: it " + problem + ". Choose another one.");
         });
         Path file = files.file(name);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {

@@ -68,8 +68,8 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
         Start from = Arrays.stream(Start.values())
                 .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(start))
                 .findFirst()
-                .orElseThrow(() ->
-                        new RefusedException(400, "Unknown start \"" + start + "\". Choose standing, back or front."));
+                .orElseThrow(() -> new RefusedException(
+                        400, "Unknown start position \"" + start + "\". Choose standing, back or front."));
         try {
             return of(MotionFile.parse("motion.txt", text), from).json();
         } catch (MotionFormatException wrong) {
@@ -97,7 +97,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
         Motion motion = file.motion();
         if (motion.durationMillis() > MAX_MILLIS) {
             throw new RefusedException(
-                    400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
+                    400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial can last at most 60 s.");
         }
         try (Controller player = Controller.ofMotion(file);
                 Trial trial = Trial.direct(scene(start), 0, player)) {

@@ -96,8 +96,7 @@ final class ProgramFolder extends PageFolder {
         if (!isPlain || !PATH.matcher(path).matches()) {
             throw new RefusedException(
                     400,
-                    "\"" + path
-                            + "\" is not a valid name for a program. Use letters, digits and _, such as MyAgent.java.");
+                    "\"" + path + "\" is not a valid program name. Use letters, digits and _, such as MyAgent.java.");
         }
         Path file = folder().resolve(path);
         for (Path each = file; !each.equals(folder()); each = Objects.requireNonNull(each.getParent())) {

@@ -91,7 +91,7 @@ final class RecordingService {
         Path file = find(name);
         if (RecordingPlaces.isRunning(file)) {
             throw new IllegalArgumentException(
-                    "\"" + name + "\" is still being recorded. Stop the run first, or reset it in the room Field.");
+                    "\"" + name + "\" is still being recorded. Stop the run first, or reset it in the Field room.");
         }
         return new RecordingGroup(file);
     }
@@ -101,7 +101,7 @@ final class RecordingService {
         if (!NAME.matcher(name).matches() || looksLikeFile || !FileName.isPortable(name)) {
             throw new IllegalArgumentException(
                     "A recording cannot be named \"" + name
-                            + "\". Use letters, digits, blanks and . , ( ) + - _, at most 80, beginning with a letter or digit.");
+                            + "\". Use at most 80 letters, digits, spaces and . , ( ) + - _, beginning with a letter or digit.");
         }
         requireUnused(name);
     }

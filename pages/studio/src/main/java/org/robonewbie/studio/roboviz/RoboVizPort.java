@@ -44,8 +44,8 @@ public final class RoboVizPort implements AutoCloseable {
             return opened;
         } catch (IOException | IllegalArgumentException e) {
             throw new IOException(
-                    "Drawings cannot be received at UDP port " + port
-                            + " of 127.0.0.1; probably RoboViz uses it. Stop it, or choose another port.",
+                    "Drawings cannot be received on UDP port " + port
+                            + " of 127.0.0.1; RoboViz is probably using it. Stop RoboViz, or choose another port.",
                     e);
         }
     }

@@ -83,7 +83,7 @@ public final class SceneApi extends ApiHandler {
                 .orElseThrow(
                         () -> new IllegalArgumentException("This recording no longer exists. Choose another one."));
         String why = file.toString().endsWith(AtomicFile.UNFINISHED)
-                ? " on the disk yet. Try again in a second."
+                ? " on disk yet. Try again in a second."
                 : SceneService.ENDS_BEFORE;
         try (RecordingReader recording = RecordingFile.read(file)) {
             return service.start(recording, moment, why);

@@ -154,7 +154,7 @@ record SceneFolder(Path folder) implements SceneStore {
     private Path file(String name) {
         if (!isName(name)) {
             throw new IllegalArgumentException("A scene cannot be named \"" + name
-                    + "\". Use letters, digits, blanks, dots, - and _, beginning with a letter or digit.");
+                    + "\". Use letters, digits, spaces, dots, - and _, beginning with a letter or digit.");
         }
         Path file = folder.resolve(name + RecordingRepository.ENDING);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {

@@ -108,7 +108,7 @@ class ProgramFolderTest {
 
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), seen))
                 .hasMessage(
-                        "\"A.java\" was changed by another program after it was opened here. Load it again or save it under another name.");
+                        "\"A.java\" was changed by another program after it was opened here. Reload it, or save it under another name.");
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), ""))
                 .hasMessage("There is already a file named \"A.java\". Choose another name.");
         assertThat(folder.folder().resolve("A.java")).hasContent("class A { int other; }");

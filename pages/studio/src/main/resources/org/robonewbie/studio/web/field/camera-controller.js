@@ -11,10 +11,10 @@ import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../
 
 /** The camera modes in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
 export const CAMERAS = [
-  { mode: 'orbit', name: 'Free', hint: 'Turn with the mouse, move with the right button' },
-  { mode: 'follow', name: 'Follow', hint: 'Keeps the chosen robot in the middle' },
+  { mode: 'orbit', name: 'Free', hint: 'Drag to turn the view; drag with the right button to move it' },
+  { mode: 'follow', name: 'Follow', hint: 'Keeps the selected robot in the centre' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
-  { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the chosen robot’s eyes' },
+  { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the selected robot’s eyes' },
   { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },
 ];
 

@@ -206,7 +206,7 @@ export class PointerController {
   /** @param {Grip} grip */
   #showSpeed(grip) {
     const thrown = this.#throwOf(grip);
-    this.world.showTip?.(thrown ? `Throw with ${thrown.speed.toFixed(1)} m/s${grip.high ? ', high' : ''}` : '');
+    this.world.showTip?.(thrown ? `Throw at ${thrown.speed.toFixed(1)} m/s${grip.high ? ', high' : ''}` : '');
   }
 
   /** @param {Grip} grip */

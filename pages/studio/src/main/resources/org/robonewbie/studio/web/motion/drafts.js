@@ -49,7 +49,7 @@ export class Drafts {
         await this.#keep();
         return true;
       } catch {
-        this.editor.note('The draft could not be saved. Your work is still in this page; save it soon.');
+        this.editor.note('The draft could not be saved. Your work is still on this page; save it soon.');
         return false;
       }
     });

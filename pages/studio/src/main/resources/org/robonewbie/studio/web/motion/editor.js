@@ -174,7 +174,7 @@ export class Editor {
       return;
     }
     this.conflict = false;
-    const taken = edited(this.state, document, 'Reload from the disk');
+    const taken = edited(this.state, document, 'Reload from disk');
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
   }
 
@@ -294,7 +294,7 @@ export class Editor {
     }
     await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
-    const hides = this.list.library.includes(name) ? ', which now replaces the library’s' : '';
+    const hides = this.list.library.includes(name) ? '; it replaces the library motion of that name' : '';
     this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
   }
 

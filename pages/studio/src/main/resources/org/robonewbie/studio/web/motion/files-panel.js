@@ -43,7 +43,7 @@ class FilesPanel {
     const { editor, run } = this;
     const begin = () => (takeTyped(), run(editor.create()));
     const keep = () => run(keepPosture(editor));
-    const create = button('+ New', 'A new motion that starts standing', begin, { id: 'new-motion' });
+    const create = button('+ New', 'A new motion that starts from standing', begin, { id: 'new-motion' });
     return [
       element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
       this.#own,
@@ -163,8 +163,8 @@ async function keepPosture(editor) {
     title: 'Save this posture',
     label: 'Name',
     value: 'My posture',
-    action: 'Keep',
-    problem: (answer) => (/^[^\r\n]{1,40}$/.test(answer) ? '' : 'A name has 1 to 40 characters.'),
+    action: 'Save',
+    problem: (answer) => (/^[^\r\n]{1,40}$/.test(answer) ? '' : 'Use 1 to 40 characters.'),
     hint: 'It can be used for any keyframe of any motion.',
   });
   if (name !== undefined) {

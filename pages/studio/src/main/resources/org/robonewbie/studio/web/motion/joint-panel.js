@@ -34,7 +34,7 @@ const MAX_DEGREES = 360;
  */
 export function jointPanel(place, body, editor) {
   const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
-  const symmetric = check('symmetric', 'Both sides alike', 'Mirrors each change of one arm or leg to the other', (on) =>
+  const symmetric = check('symmetric', 'Symmetric', 'Mirrors each change to an arm or leg on the other side', (on) =>
     editor.setSymmetric(on),
   );
   place.append(

@@ -13,9 +13,7 @@ export function menu(name, kind, buttons) {
     place.classList.toggle('open', open);
     head.setAttribute('aria-expanded', String(open));
   };
-  const head = button(`${name} ▾`, `What can be done with ${name.toLowerCase()}`, () =>
-    show(!place.classList.contains('open')),
-  );
+  const head = button(`${name} ▾`, `Actions for ${name.toLowerCase()}`, () => show(!place.classList.contains('open')));
   head.className = 'menu-head';
   show(false);
   place.append(head, list);

@@ -38,7 +38,7 @@ export class MotionFiles {
       return { document: decode(bytes), version: answer.headers.get('Version') ?? '' };
     } catch (error) {
       const problem = /** @type {Error} */ (error).message;
-      throw new Error(`${name}.txt cannot be opened: ${problem} It stays as it is.`, { cause: error });
+      throw new Error(`${name}.txt cannot be opened: ${problem} The file was not changed.`, { cause: error });
     }
   }
 

@@ -222,9 +222,13 @@ class MotionRoom {
     return element(
       'div',
       { id: 'original-rule', class: 'panel centred', role: 'status', hidden: '' },
-      element('p', {}, 'This motion seems to be written for RoboNewbie 1.1, which played short keyframes differently.'),
-      button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
-      button('Leave it', 'Agents play it like other motions', now, { id: 'play-usual' }),
+      element(
+        'p',
+        {},
+        'This motion seems to have been written for RoboNewbie 1.1, which played short keyframes differently.',
+      ),
+      button('Play it as 1.1 did', 'Adds // play: 1.1 at the top of the file', old, { id: 'play-original' }),
+      button('Leave it as it is', 'Agents play it like any other motion', now, { id: 'play-usual' }),
     );
   }
 
@@ -242,7 +246,7 @@ class MotionRoom {
 /** @param {Error} error */
 function problemText(error) {
   return error instanceof TypeError
-    ? 'The studio does not respond. Your work is still in this page; save it when the simulator is running again.'
+    ? 'The studio is not responding. Your work is still on this page; save it when the simulator is running again.'
     : error.message;
 }
 
@@ -256,9 +260,9 @@ function partsOf(room) {
   return {
     tools: part('motion-tools', 'Motion'),
     files: part('motion-files', 'Motions and postures'),
-    picture: part('motion-stage', 'The robot; drag its limbs'),
+    picture: part('motion-stage', 'Robot. Drag its limbs.'),
     joints: part('motion-joints', 'Joints'),
     bar: part('motion-transport', 'Play and try'),
-    line: part('motion-timeline', 'Timeline. The left and right arrow keys choose a keyframe.'),
+    line: part('motion-timeline', 'Timeline. The left and right arrow keys select a keyframe.'),
   };
 }

@@ -33,7 +33,7 @@ import { ask, askName } from './questions.js';
  */
 
 const BALANCE_HINT =
-  'Shifts the torso until the centre of mass is above the feet, in all keyframes or in several chosen ones';
+  'Shifts the torso until the centre of mass is above the feet, in all keyframes, or in the selected ones if there are several';
 
 /**
  * @param {Editor} editor
@@ -72,15 +72,15 @@ function keyframeOrders(editor) {
   const later = does((state) => shifted(state, 1));
   const paste = does((state) => pasted(state, editor.clip));
   return [
-    order('insert', '+ Keyframe', 'A new keyframe at the playhead', ['i', 'Insert'], 'I', insert),
-    order('duplicate', 'Duplicate', 'Duplicate the chosen keyframes', ['d'], 'D', does(duplicated)),
-    order('delete', 'Delete', 'Remove the chosen keyframes', ['Delete', 'Backspace'], 'Del', does(deleted)),
-    ctrl('copy', 'Copy', 'Copy the chosen keyframes', ['c'], () => copy(editor)),
-    ctrl('cut', 'Cut', 'Cut the chosen keyframes', ['x'], () => (copy(editor), editor.apply(deleted))),
-    ctrl('paste', 'Paste', 'Insert the copied keyframes after the chosen one', ['v'], paste),
-    order('earlier', '◂ Move', 'Move the chosen keyframes one position earlier', ['['], '[', earlier),
-    order('later', 'Move ▸', 'Move the chosen keyframes one position later', [']'], ']', later),
-    order('mirror', 'Mirror', 'Swap left and right in the chosen keyframes', ['m'], 'M', does(mirroredSelection)),
+    order('insert', '+ Keyframe', 'Insert a keyframe at the playhead', ['i', 'Insert'], 'I', insert),
+    order('duplicate', 'Duplicate', 'Duplicate the selected keyframes', ['d'], 'D', does(duplicated)),
+    order('delete', 'Delete', 'Delete the selected keyframes', ['Delete', 'Backspace'], 'Del', does(deleted)),
+    ctrl('copy', 'Copy', 'Copy the selected keyframes', ['c'], () => copy(editor)),
+    ctrl('cut', 'Cut', 'Cut the selected keyframes', ['x'], () => (copy(editor), editor.apply(deleted))),
+    ctrl('paste', 'Paste', 'Insert the copied keyframes after the selected one', ['v'], paste),
+    order('earlier', '◂ Move', 'Move the selected keyframes one position earlier', ['['], '[', earlier),
+    order('later', 'Move ▸', 'Move the selected keyframes one position later', [']'], ']', later),
+    order('mirror', 'Mirror', 'Swap left and right in the selected keyframes', ['m'], 'M', does(mirroredSelection)),
   ];
 }
 
@@ -89,9 +89,9 @@ function motionOrders(editor, run) {
   const does = (/** @type {Edit} */ edit) => () => editor.apply(edit);
   return [
     order('mirror-all', 'Mirror all', 'Swap left and right in the whole motion', [], '', does(mirroredMotion)),
-    order('reverse', 'Reverse', 'Play the motion backwards', [], '', does(reversedMotion)),
-    order('balance', 'Make it balanced', BALANCE_HINT, [], '', () => makeBalanced(editor)),
-    order('scale', 'Tempo…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
+    order('reverse', 'Reverse', 'Reverse the order of the keyframes', [], '', does(reversedMotion)),
+    order('balance', 'Balance', BALANCE_HINT, [], '', () => makeBalanced(editor)),
+    order('scale', 'Speed…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
   ];
 }
 
@@ -107,10 +107,10 @@ function timeOrders(editor) {
     }
   };
   return [
-    ctrl('all', 'Choose all', 'Choose all keyframes', ['a'], all),
+    ctrl('all', 'Select all', 'Select all keyframes', ['a'], all),
     order('layout', 'Joints or curves', 'Timeline: a row for each joint, or curves', ['r'], 'R', layout),
     order('next-mark', 'Next warning', 'Go to the next warning of the timeline', ['w'], 'W', nextTrouble),
-    order('play', 'Play', 'Show the motion', [' '], 'Space', () => editor.apply(withPlayToggled)),
+    order('play', 'Play', 'Play the motion', [' '], 'Space', () => editor.apply(withPlayToggled)),
     order('previous', 'Previous keyframe', '', ['ArrowLeft'], '←', step(-1)),
     order('next', 'Next keyframe', '', ['ArrowRight'], '→', step(1)),
   ];
@@ -175,7 +175,7 @@ async function scale(editor) {
     label: 'Duration in percent',
     value: '150',
     action: 'Change',
-    problem: (percent) => (/^(?!0+$)\d{1,4}$/.test(percent) ? '' : 'A whole number from 1 to 9999.'),
+    problem: (percent) => (/^(?!0+$)\d{1,4}$/.test(percent) ? '' : 'Enter a whole number from 1 to 9999.'),
     hint: '200 halves the speed, 50 doubles it. Times are rounded to cycles of 20 ms.',
   });
   if (answer !== undefined) {

@@ -2,12 +2,16 @@
 import { button, check, element } from '../panels/elements.js';
 
 const WATCHING_HINT =
-  'Shows the robot of the trial, with the plan as a ghost; otherwise the plan, with the robot as an orange ghost';
+  'On: the robot of the trial, with the plan as a ghost. Off: the plan, with the robot as an orange ghost.';
 const UPRIGHT_HINT = 'Keeps the torso upright instead of laying the lower sole flat on the ground';
 
 /** Creates the mouse help shown in the 3D view. */
 export function stageHint() {
-  return element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay');
+  return element(
+    'p',
+    { class: 'hint' },
+    'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay in place',
+  );
 }
 
 /**
@@ -20,7 +24,7 @@ export function stageHint() {
 export function stageOptions(room) {
   const ghosts = check('ghosts', 'Ghosts', 'Shows the keyframes before (blue) and after (orange)', room.setGhosts);
   ghosts.box.checked = true;
-  const watching = check('watching', 'Physical robot', WATCHING_HINT, room.setWatching);
+  const watching = check('watching', 'With physics', WATCHING_HINT, room.setWatching);
   const options = element(
     'div',
     { class: 'stage-options' },

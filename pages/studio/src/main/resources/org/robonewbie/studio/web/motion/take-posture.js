@@ -6,7 +6,7 @@ import { button } from '../panels/elements.js';
  * @param {() => string} robotOfRun name of the robot, empty if there is none
  */
 export function takePosture(take, robotOfRun) {
-  const made = button('Take posture', '', take, { id: 'take-posture' });
+  const made = button('Capture posture', '', take, { id: 'take-posture' });
   return {
     button: made,
     draw() {
@@ -14,8 +14,8 @@ export function takePosture(take, robotOfRun) {
       made.disabled = robot === '';
       made.title =
         robot === ''
-          ? 'Start an agent: the posture of its robot can then become a keyframe'
-          : `The posture of ${robot} becomes a keyframe`;
+          ? 'Start an agent to use the posture of its robot as a keyframe'
+          : `Uses the posture of ${robot} as a keyframe`;
     },
   };
 }

@@ -284,7 +284,7 @@ export class TimelineController {
     const time = timesOf(framesOf(this.#state))[frame];
     const text =
       degrees === undefined
-        ? 'Drag to select several, click to move the playhead'
+        ? 'Drag to select several; click to move the playhead'
         : `${jointName(body.joints[joint].name)} ${degrees}° in keyframe ${frame + 1} at ${secondsText(time)}`;
     this.timeline.tracks.title = text;
   }

@@ -92,11 +92,11 @@ export function drawKeyframes(state, scale) {
 /** @param {number} index @param {number} time @param {number} millis @param {boolean} alone */
 function keyframeHint(index, time, millis, alone) {
   const [now, other] = alone
-    ? ['the others stay', 'those after it follow']
-    : ['those after it follow', 'the others stay'];
+    ? ['the others stay in place', 'later ones follow']
+    : ['later ones follow', 'the others stay in place'];
   return (
-    `Keyframe ${index + 1} at ${secondsText(time)}, ${millis} ms after the one before. ` +
-    `Drag to change its time: ${now}; with Alt ${other}. Shift- or Ctrl-click chooses several.`
+    `Keyframe ${index + 1} at ${secondsText(time)}, ${millis} ms after the previous one. ` +
+    `Drag to change its time: ${now}; with Alt, ${other}. Shift-click or Ctrl-click selects several.`
   );
 }
 

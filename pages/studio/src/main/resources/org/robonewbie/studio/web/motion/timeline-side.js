@@ -17,7 +17,8 @@ import { MARK_KINDS } from './timeline-head.js';
 
 const CLOSER = 0.6;
 const SCROLL = 0.5;
-const ALONE_HINT = 'Moving a keyframe shifts those after it. With this option, or with Alt, all others stay in place.';
+const ALONE_HINT =
+  'Moving a keyframe also moves those after it. With this option, or with Alt, all others stay in place.';
 
 /** @param {number} factor @returns {(state: EditorState) => EditorState} zooms around the playhead */
 export function zooming(factor) {
@@ -39,8 +40,8 @@ export function timelineSide(editor) {
   const does = (/** @type {(state: EditorState) => EditorState} */ edit) => () => editor.apply(edit);
   const layout = (/** @type {EditorState['layout']} */ each) => does((state) => ({ ...state, layout: each }));
   const rows = button('Joints', 'One row for each joint (R)', layout('rows'), { id: 'timeline-rows' });
-  const curves = button('Curves', 'Angles of the chosen joints (R)', layout('curves'), { id: 'timeline-curves' });
-  const alone = check('alone', 'Alone', ALONE_HINT, (on) => editor.apply((state) => ({ ...state, alone: on })));
+  const curves = button('Curves', 'Angles of the selected joints (R)', layout('curves'), { id: 'timeline-curves' });
+  const alone = check('alone', 'Move alone', ALONE_HINT, (on) => editor.apply((state) => ({ ...state, alone: on })));
   const views = [
     button('−', 'Zoom out (−)', does(zooming(1 / CLOSER)), { id: 'zoom-out' }),
     button('+', 'Zoom in (+)', does(zooming(CLOSER)), { id: 'zoom-in' }),
@@ -128,7 +129,7 @@ export function jointNames(body, editor) {
         swatch.className =
           shown.includes(joint) && state.layout === 'curves' ? `swatch ${curveColour(state, joint)}` : 'swatch';
         setText(value, lag && lag.worst[joint].degrees >= 1 ? `${lag.worst[joint].degrees.toFixed(0)}°` : '');
-        line.title = lag ? lateText(lag, joint) : 'Click to choose, Ctrl-click for several';
+        line.title = lag ? lateText(lag, joint) : 'Click to select; Ctrl-click to select several';
       }
     },
   };
@@ -137,5 +138,5 @@ export function jointNames(body, editor) {
 /** @param {Lag} lag @param {number} joint */
 function lateText({ worst }, joint) {
   const { degrees, time } = worst[joint];
-  return `The physical robot is at most ${degrees.toFixed(1)}° behind, at ${(time / 1000).toFixed(2)} s`;
+  return `With physics, the joint lags by at most ${degrees.toFixed(1)}°, at ${(time / 1000).toFixed(2)} s`;
 }

@@ -40,7 +40,7 @@ export class Timeline {
     this.side = timelineSide(editor);
     this.markNames = markNames(editor);
     this.names = jointNames(body, editor);
-    const label = 'Joints. Up and down choose one, with Ctrl they turn it in the chosen keyframes.';
+    const label = 'Joints. Up and Down select one; with Ctrl, they turn it in the selected keyframes.';
     this.tracks = element('div', { class: 'tracks', tabindex: '0', role: 'group', 'aria-label': label });
     this.tracks.append(this.names.list, this.drawing);
     this.lane = element('div', { class: 'playhead-lane' });
@@ -126,7 +126,7 @@ export class Timeline {
     this.fall.hidden = seconds === undefined;
     if (seconds !== undefined) {
       this.fall.style.transform = `translateX(${this.scale.x(1000 * seconds).toFixed(1)}px)`;
-      this.fall.title = `The physical robot falls after ${secondsText(1000 * seconds)}`;
+      this.fall.title = `With physics, the robot falls after ${secondsText(1000 * seconds)}`;
     }
   }
 

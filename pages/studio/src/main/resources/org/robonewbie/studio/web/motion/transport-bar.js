@@ -22,11 +22,11 @@ import { orderButton } from './toolbar.js';
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
-const TRIAL = 'Try on a physical robot';
+const TRIAL = 'Try with physics';
 const TRIAL_HINT = 'Plays the motion on a simulated robot with mass and motors';
 
 const VERDICT_HINT =
-  'What can go wrong on a robot. “Balanced by 2 cm”: the centre of mass is 2 cm inside the edge of the feet; outside of it the robot tips over.';
+  'What can go wrong on a robot. “Balanced by 2 cm”: the centre of mass is 2 cm inside the edge of the feet; outside it, the robot tips over.';
 
 /** @type {Array<[value: string, text: string]>} */
 const STARTS = [
@@ -82,7 +82,7 @@ function partsOf(editor, orders, actions) {
 function millisField({ setTime, note }) {
   const label = 'Time to reach this keyframe in milliseconds';
   return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MAX_MILLIS, setTime, (text) =>
-    note(`“${text}” is not a time of up to ${MAX_MILLIS} milliseconds; the keyframe was not moved.`),
+    note(`“${text}” is not a time in milliseconds, at most ${MAX_MILLIS}; the keyframe was not moved.`),
   );
 }
 
@@ -120,15 +120,15 @@ function drawTrial({ trial, verdict }, editor) {
 function verdictText({ state, marks }) {
   if (state.trial && state.watching) {
     return state.trial.fallSeconds === undefined
-      ? 'Physical robot'
-      : `Physical robot falls after ${secondsText(1000 * state.trial.fallSeconds)}`;
+      ? 'Trial with physics'
+      : `With physics, the robot falls after ${secondsText(1000 * state.trial.fallSeconds)}`;
   }
   if (state.playing) {
     return '';
   }
   const problem = problemOf(documentOf(state));
   if (problem) {
-    return `${problem}. Agents refuse this file.`;
+    return `${problem}. Agents reject this file.`;
   }
   const here = marks.find(({ from, to }) => state.time >= from - 1 && state.time <= to + 1);
   if (here) {
@@ -147,10 +147,10 @@ function chosenText(state) {
   const { chosen, rows, body } = state;
   const frames = chosen.length === 1 ? `keyframe ${chosen[0] + 1}` : `${chosen.length} keyframes`;
   if (rows.length === 1) {
-    return `${jointName(body.joints[rows[0]].name)} of ${frames} chosen`;
+    return `${jointName(body.joints[rows[0]].name)} of ${frames} selected`;
   }
   const joints = rows.length === 0 ? '' : `${rows.length} joints of `;
-  return rows.length === 0 && chosen.length === 1 ? '' : `${joints}${frames} chosen`;
+  return rows.length === 0 && chosen.length === 1 ? '' : `${joints}${frames} selected`;
 }
 
 /** @param {Editor['state']} state */

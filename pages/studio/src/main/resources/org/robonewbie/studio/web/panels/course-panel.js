@@ -156,7 +156,7 @@ export class CoursePanel {
     if (this.#chosen) {
       const file = await this.#ask(`course/${this.#chosen.name}`, 'PUT');
       await this.#refresh();
-      this.#note(`${file} , the starter program, was created. Edit it, then press Start.`);
+      this.#note(`The starter code ${file} was created. Edit it, then press Start.`);
     }
   }
 
@@ -262,11 +262,11 @@ function controls() {
     trials,
     here: control(
       'course-here',
-      'Opens the starter program, or yours, in the room Program',
-      'Program it beside the robot',
+      'Opens your program, or the starter code, in the Program room',
+      'Edit it beside the robot',
     ),
-    write: control('course-write', 'Creates the starter program in the working folder'),
-    start: control('course-start', 'Runs the program on this pitch and judges it', 'Start'),
+    write: control('course-write', 'Creates the starter code in the working folder'),
+    start: control('course-start', 'Runs the program on this pitch and grades it', 'Start'),
     stop: control('course-stop', 'Ends the attempt and shows the free pitch', 'Stop'),
   };
 }

@@ -14,7 +14,7 @@ export class DiagnosticsList {
       class: 'quiet',
       'aria-label': 'Dismiss',
     });
-    this.place.append(element('h2', {}, 'Errors of programs'), close, this.list);
+    this.place.append(element('h2', {}, 'Program errors'), close, this.list);
   }
 
   clear() {

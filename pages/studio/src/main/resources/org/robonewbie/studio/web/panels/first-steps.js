@@ -9,8 +9,8 @@ const KEY = 'robonewbie-first-steps';
 /** @type {Array<{step: Step, text: string}>} */
 const STEPS = [
   { step: 'ball', text: 'Drag the ball somewhere else' },
-  { step: 'puppet', text: 'Add a puppet (Tools), then hold W: it walks' },
-  { step: 'motion', text: 'Edit a motion: the room Motion, above' },
+  { step: 'puppet', text: 'Add a puppet (under Tools), then hold W to make it walk' },
+  { step: 'motion', text: 'Edit a motion in the Motion room (above)' },
 ];
 
 export class FirstSteps {

@@ -85,10 +85,10 @@ export class PuppetPanel {
     setText(
       this.hint,
       player
-        ? `You steer ${player.team} ${player.number}: W A S D, F and G kick.`
+        ? `You are steering ${player.team} ${player.number}: W A S D to walk, F and G to kick.`
         : others
           ? 'Click a puppet to steer it.'
-          : 'Walk, kick and move joints without any code.',
+          : 'Walk, kick and move joints without writing code.',
     );
     for (const part of [this.tools, this.help, this.joints]) {
       part.hidden = !player;

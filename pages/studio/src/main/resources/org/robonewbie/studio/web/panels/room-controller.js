@@ -13,8 +13,8 @@ const MOTION_MOUSE = [
   ['Drag the torso', 'the feet stay where they are'],
   ['Drag the ground', 'turn the view'],
   ['Drag a keyframe', 'change its time and shift those after it; with Alt they stay in place'],
-  ['Shift, Ctrl, click', 'choose several keyframes'],
-  ['Drag over joints', 'choose what is in the box'],
+  ['Shift, Ctrl, click', 'select several keyframes'],
+  ['Drag over joints', 'select what is in the box'],
   ['Drag a point of a curve', 'change the angle'],
   ['Wheel', 'on the timeline: zoom, with Shift scroll'],
 ];
@@ -34,7 +34,7 @@ const REPLAY_MOUSE = [
 
 const PROGRAM_MOUSE = [
   ['Drag the edge', 'resize the program'],
-  ['Double click an edge', 'restore the default layout'],
+  ['Double-click an edge', 'restore the default layout'],
 ];
 
 const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];

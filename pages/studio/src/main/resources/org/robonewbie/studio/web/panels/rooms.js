@@ -10,7 +10,7 @@ const ROOMS = [
   { room: 'robot', place: 'field-room', name: 'Robot', hint: 'Inspect one robot' },
   { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Edit motions' },
   { room: 'replay', place: 'field-room', name: 'Replay', hint: 'Replay runs' },
-  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Have your program judged', part: '/exercises' },
+  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Have your program graded', part: '/exercises' },
 ];
 
 /**

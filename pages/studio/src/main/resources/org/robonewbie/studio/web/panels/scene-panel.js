@@ -10,8 +10,8 @@ import { button, byId, choice, element, setEntries } from './elements.js';
  */
 export function restoredText({ exact, agents }) {
   const world = exact
-    ? 'The world is exactly as it was.'
-    : 'The world is restored approximately: speeds are estimated.';
+    ? 'The world was restored exactly.'
+    : 'The world was restored only approximately: speeds are estimated.';
   const count = agents === 1 ? 'One agent was' : `${agents} agents were`;
   return agents > 0
     ? `${world} ${count} restored with it; all others keep what they remember.`
@@ -64,10 +64,10 @@ class ScenePanel {
     this.rename = this.#control(
       'scene-rename',
       'Rename',
-      'Renames the chosen scene to the name in the field above',
+      'Renames the selected scene to the name in the field above',
       () => this.#rename(),
     );
-    this.remove = this.#control('scene-remove', 'Delete', 'Deletes the chosen scene; Undo restores it', () =>
+    this.remove = this.#control('scene-remove', 'Delete', 'Deletes the selected scene; Undo restores it', () =>
       this.#remove(),
     );
     this.place.append(
@@ -113,7 +113,7 @@ class ScenePanel {
     await this.#ask(chosen, '', 'PUT');
     await this.#refresh(chosen);
     this.#forgetName(chosen);
-    this.note(`Scene "${chosen}" is saved.`);
+    this.note(`Scene "${chosen}" was saved.`);
   }
 
   async #restore() {

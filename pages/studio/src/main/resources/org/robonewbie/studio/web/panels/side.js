@@ -53,7 +53,7 @@ function pictureChecks(show) {
     show(shown);
   };
   const names = check('names', 'Names', 'Team and number above each robot', (on) => set('names', on));
-  const trail = check('trail', 'Trail of the ball', 'Where the ball was in the last three seconds', (on) =>
+  const trail = check('trail', 'Trail of the ball', 'Path of the ball over the last three seconds', (on) =>
     set('trail', on),
   );
   names.box.checked = shown.names;
@@ -67,7 +67,7 @@ function pictureChecks(show) {
  * @returns {(state: StudioState) => void} function that updates the referee's buttons
  */
 export function trainerPanel(send) {
-  const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' }, [], (mode) =>
+  const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets the play mode' }, [], (mode) =>
     send({ do: 'playMode', mode }),
   );
   const panel = byId('trainer');
@@ -96,8 +96,8 @@ export function trainerPanel(send) {
 function trainerButtons(send) {
   const centre = { do: 'placeBall', x: 0, y: 0, z: BALL_RADIUS };
   return [
-    button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
-    button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),
+    button('◀ Kick off', 'The left team kicks off (K)', () => send({ do: 'kickOff', side: 'left' })),
+    button('Kick off ▶', 'The right team kicks off (L)', () => send({ do: 'kickOff', side: 'right' })),
     button('Drop ball', 'Drops the ball where it is (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
     button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
   ];

@@ -128,7 +128,7 @@ export class SplitView {
 
   /** @param {number} index */
   #newEdge(index) {
-    const hint = 'Drag, or press arrow keys; a double click restores the default layout';
+    const hint = 'Drag, or press the arrow keys; double-click to restore the default layout';
     const limits = { 'aria-valuemin': '0', 'aria-valuemax': '100', 'aria-valuenow': '50' };
     const made = element('div', { class: 'edge', role: 'separator', tabindex: '0', title: hint, ...limits });
     made.addEventListener('pointerdown', (event) => {

@@ -15,7 +15,7 @@ import { SplitView } from './split-view.js';
 
 /** @type {Preset[]} */
 const PRESETS = [
-  { name: 'Watch', hint: 'The picture alone', room: 'field' },
+  { name: 'Watch', hint: 'The picture only', room: 'field' },
   { name: 'Understand', hint: 'Picture, curves, joints, log and messages side by side', room: 'robot' },
   { name: 'Program', hint: 'A program beside its robot', room: 'program' },
   { name: 'Shape', hint: 'Edit motions', room: 'motion' },

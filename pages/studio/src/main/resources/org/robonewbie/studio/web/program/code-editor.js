@@ -180,7 +180,7 @@ export class CodeEditor {
         ...searchKeymap,
         ...historyKeymap,
       ]),
-      EditorView.contentAttributes.of({ 'aria-label': 'Program; Escape, then Tab leaves it' }),
+      EditorView.contentAttributes.of({ 'aria-label': 'Program. Press Escape, then Tab, to leave the editor.' }),
       EditorView.updateListener.of((update) => update.docChanged && changed()),
       ...[LOOK, SAID_LINES],
     ];

@@ -21,7 +21,7 @@ export class EncodingNote {
     if (file.problem !== '') {
       this.#say(`${name} cannot be decoded and is read-only: ${file.problem}`);
     } else if (encoding !== before) {
-      this.#say(`${name} is saved as ${encoding} now, because ${before} cannot represent all of its characters.`);
+      this.#say(`${name} is now saved as ${encoding}, because ${before} cannot represent all of its characters.`);
     } else if (inferred !== '') {
       this.#say(
         `${name}: ${inferred}`,

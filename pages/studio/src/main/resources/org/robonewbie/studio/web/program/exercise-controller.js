@@ -66,7 +66,7 @@ export class ExerciseController {
       this.place.replaceChildren();
       return;
     }
-    const judge = button('Check', 'Saves the program and has it judged', () => {
+    const judge = button('Check', 'Saves the program and grades it', () => {
       this.room.attempt(() => this.#check(lesson));
     });
     judge.id = 'program-check';

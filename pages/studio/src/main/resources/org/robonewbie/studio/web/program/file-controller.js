@@ -101,7 +101,7 @@ export class FileController {
       this.#sharedVersion = draft.version;
       this.#showNote('This program was shared with you. Your own programs have not been changed.', [
         ['Keep a copy', () => this.room.save()],
-        ['Back to mine', () => this.#discardShared(shared)],
+        ['Back to my program', () => this.#discardShared(shared)],
       ]);
     } else if (isSaved && draft.version !== '' && normal(draft.text.content) !== file.saved) {
       this.#showNote('This is your unsaved draft.', [
@@ -158,7 +158,7 @@ export class FileController {
     this.file = file;
     const isExample = file.kind === 'example';
     const isReadOnly = !isOpenToChange(file);
-    const kind = isReadOnly ? `${file.kind}, to read` : file.kind;
+    const kind = isReadOnly ? `${file.kind}, read-only` : file.kind;
     this.editor.open(`${kind} ${file.path}`, text || file.saved, isReadOnly);
     this.encoding.show(file, file.source.encoding);
     this.drafts.begin('');
@@ -237,7 +237,7 @@ export class FileController {
   /** Reports that another window has unsaved changes to the open file. */
   #showDraftConflict() {
     const { path = '' } = this.file ?? {};
-    this.#showNote(`Another window has unsaved changes to ${fileName(path)}, too.`, [
+    this.#showNote(`Another window also has unsaved changes to ${fileName(path)}.`, [
       ['Use the other version', () => this.#takeDraft(path)],
       ['Keep mine', () => this.#replaceDraft(path)],
     ]);

@@ -17,7 +17,7 @@ export async function makeProgram(files, example) {
       .replace(/\.java$/, ''),
     action: 'Create',
     problem: classNameProblem,
-    hint: 'The name of a class: letters and digits, starting with a capital letter.',
+    hint: 'A class name: letters and digits, starting with a capital letter.',
   });
   if (name) {
     await create(files, folder + javaName(name), example);
@@ -44,7 +44,7 @@ async function create(files, path, example) {
   }
   await files.refresh();
   if (files.list.drafts.some((each) => each.path === path)) {
-    throw new Error(`There is a program ${fileName(path)} already, not saved yet. Choose another name.`);
+    throw new Error(`There is already an unsaved program named ${fileName(path)}. Choose another name.`);
   }
   await files.service.write(path, encodeText(UTF_8, await files.service.newProgram(path, example)), '');
   await files.refresh();

@@ -62,8 +62,8 @@ class ProgramRoom {
     if (!list.open) {
       this.notes.replaceChildren(
         note(
-          'This studio belongs to a robot that runs by itself. To write programs beside the robot, end it (Control-C) and start: ' +
-            './robonewbie studio MyAgent.java, with the name of your file, or none for a new program.',
+          'This studio belongs to an agent that was started separately. To write programs beside the robot, stop the agent (Ctrl+C) and run ' +
+            './robonewbie studio MyAgent.java with the name of your file, or without a file name for a new program.',
         ),
       );
       return;

@@ -45,13 +45,13 @@ export class RunController {
     );
     this.stopButton = button(
       '■ Stop',
-      'Ends the program',
+      'Stops the program',
       act(() => this.stop()),
       { id: 'program-stop' },
     );
     this.restartButton = button(
       '⟲ Restart',
-      'Restarts world and program',
+      'Restarts the world and the program',
       act(() => this.#start('fresh')),
       {
         id: 'program-restart',
@@ -59,7 +59,7 @@ export class RunController {
     );
     this.stepButton = button(
       'Step',
-      'One cycle of 20 ms with one call of think(); then the world pauses until Play (Space) or Run',
+      'Runs one cycle of 20 ms with one call of think(); then the world pauses until Play (Space) or Run',
       () => room.surroundings.send({ do: 'step', cycles: 1 }),
       { id: 'program-step' },
     );
@@ -273,7 +273,7 @@ function worldChoice() {
     { id: 'program-world', 'aria-label': 'What happens to the world when a running program is saved' },
     [
       ['keep', 'Saving keeps the world'],
-      ['fresh', 'Saving starts over'],
+      ['fresh', 'Saving restarts the world'],
     ],
     (value) => keep(KEY, value),
   );

@@ -15,7 +15,11 @@ export class SaidPanel {
     this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Errors found by the compiler' });
     this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Errors of the running program' });
     /** Container for the sliders of the program's numbers. */
-    this.sliders = element('div', { id: 'program-sliders', role: 'group', 'aria-label': 'Numbers of the program' });
+    this.sliders = element('div', {
+      id: 'program-sliders',
+      role: 'group',
+      'aria-label': 'Adjustable numbers of the program',
+    });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
     this.printed = element('pre', { id: 'program-printed' });

@@ -56,10 +56,10 @@ export class SliderController {
       'aria-label': name,
     });
     const shown = element('output');
-    const resetButton = button('⟲', `Back to ${numberText(number.defaultValue)}, as in the program`, () =>
+    const resetButton = button('⟲', `Reset to ${numberText(number.defaultValue)}, the value in the program`, () =>
       this.#choose(slider, slider.number.defaultValue),
     );
-    const keep = button('Write into the program', `Changes number("${name}", …) in the editor`, () =>
+    const keep = button('Write to the program', `Changes number("${name}", …) in the editor`, () =>
       this.#write(slider),
     );
     const line = element(

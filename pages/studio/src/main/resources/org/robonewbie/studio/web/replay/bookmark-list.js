@@ -84,7 +84,7 @@ export class BookmarkList {
           class: 'bookmark-go',
         },
       ),
-      button('Link', `Copy an address that shows ${name}`, () => this.#copy(seconds), { class: 'quiet' }),
+      button('Link', `Copy a link to ${name}`, () => this.#copy(seconds), { class: 'quiet' }),
       button('Delete', `Delete the bookmark at ${name}`, () => this.#remove({ seconds, note }), { class: 'quiet' }),
     );
   }
@@ -117,9 +117,9 @@ export class BookmarkList {
     history.replaceState(undefined, '', link);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.actions.note('The address of this moment was copied.');
+      this.actions.note('The link to this moment was copied.');
     } catch {
-      this.actions.note('The address of this moment is in the address bar; copy it from there.');
+      this.actions.note('The link to this moment is in the address bar; copy it from there.');
     }
   }
 }

@@ -93,7 +93,7 @@ export class ComparisonPanel {
       this.drawn = key;
       const curve = curveOf({ count: own.count, ...own.summary }, { count: other.count, ...other.summary }, POINTS);
       const max = Math.max(0.05, ...curve);
-      setText(this.scale, `Apart, 0 to ${max.toFixed(2)} m`);
+      setText(this.scale, `Distance, 0 to ${max.toFixed(2)} m`);
       this.polyline.setAttribute(
         'points',
         curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / max).toFixed(1)}`).join(' '),

@@ -31,7 +31,7 @@ export class RecordingRepository {
     placeholder: 'Team, agent, date…',
     'aria-label': 'Search recordings',
   });
-  #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#applyFilter());
+  #filter = choice({ id: 'recording-filter', 'aria-label': 'Filter recordings' }, FILTERS, () => this.#applyFilter());
   #undo = button('Undo', 'Restores the last deleted recording', () => attempt(() => this.#bringBack(), this.listener), {
     id: 'recording-undo',
     hidden: '',
@@ -134,7 +134,7 @@ export class RecordingRepository {
     tiles.forEach((tile) => tile.card.toggleAttribute('hidden', !tile.fits(wanted, this.#filter.value)));
     const found = tiles.filter(({ card }) => !card.hidden).length;
     this.#nothing.hidden = found > 0;
-    setText(this.#nothing, this.#tiles.size === 0 ? 'Nothing is recorded yet.' : nothingFound(wanted));
+    setText(this.#nothing, this.#tiles.size === 0 ? 'Nothing has been recorded yet.' : nothingFound(wanted));
   }
 }
 

@@ -39,7 +39,7 @@ export class RecordingTile {
     this.open = button('', `Open ${name}`, actions.open, { class: 'open' });
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
     this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
-    this.rename = button('Rename', `Give ${name} another name`, () => this.#askName(), { class: 'quiet' });
+    this.rename = button('Rename', `Rename ${name}`, () => this.#askName(), { class: 'quiet' });
     const remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
     this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
     this.card = element('article', { 'data-recording': name }, this.open, this.tools);
@@ -53,8 +53,8 @@ export class RecordingTile {
     const { name, agent, starred, running, bookmarks } = entry;
     setText(this.star, starred ? '★' : '☆');
     this.star.title = starred
-      ? `${name} is kept. Remove its star`
-      : `Give ${name} a star: it is kept when old recordings are removed`;
+      ? `${name} is kept. Click to remove the star`
+      : `Star ${name} to keep it when old recordings are removed`;
     this.star.setAttribute('aria-pressed', String(starred));
     this.star.setAttribute('aria-label', `Star of ${name}`);
     const marks = bookmarks.length === 1 ? '1 bookmark' : `${bookmarks.length} bookmarks`;

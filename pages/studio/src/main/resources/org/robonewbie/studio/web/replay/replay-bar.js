@@ -39,7 +39,7 @@ export class ReplayBar {
     this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
-    this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
+    this.loop = this.#key('replay-loop', 'Loop', 'Loop two seconds around this moment', 'L');
     this.recording = button('Recordings', 'Choose another recording', actions.showRecordings, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
@@ -61,7 +61,7 @@ export class ReplayBar {
     setText(this.play, state.playing ? '❚❚ Pause' : '▶ Play');
     this.loop.setAttribute('aria-pressed', String(state.loop !== undefined));
     this.speed.value = String(state.speed);
-    const nothing = list.length === 0 ? 'Nothing is recorded yet.' : 'Choose a recording.';
+    const nothing = list.length === 0 ? 'Nothing has been recorded yet.' : 'Choose a recording.';
     setText(this.reading, file ? readingOf(state) : nothing);
     for (const control of this.keys) {
       control.disabled = state.count === 0;
@@ -111,9 +111,9 @@ export class ReplayBar {
 /** @param {Actions['save']} save */
 function saveButtons(save) {
   return [
-    button('CSV', 'Save all cycles as a table, or those of the loop', save.csv, { id: 'export-csv' }),
-    button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', save.log, { id: 'export-log' }),
-    button('HTML', 'Save one file that plays this run, or the loop, in any browser, also offline', save.html, {
+    button('CSV', 'Save all cycles, or those of the loop, as a table', save.csv, { id: 'export-csv' }),
+    button('Log', 'Save the run as a SimSpark server log, for RoboViz', save.log, { id: 'export-log' }),
+    button('HTML', 'Save one file that plays this run, or the loop, in any browser, even offline', save.html, {
       id: 'export-html',
     }),
     button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, from this camera', save.video, {

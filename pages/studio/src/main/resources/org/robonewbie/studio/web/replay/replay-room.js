@@ -195,7 +195,7 @@ class ReplayRoom {
       action(['['], '[', 'previous event', () => this.#jump(-1)),
       action([']'], ']', 'next event', () => this.#jump(1)),
       action(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
-      action(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
+      action(['l', 'L'], 'L', 'loop two seconds around this moment', () => this.#set(looped(this.state))),
     ];
   }
 

@@ -16,7 +16,7 @@ const HALF_CYCLE = 0.01;
 export function logList(place, goTo) {
   const level = choice(
     { id: 'log-level', 'aria-label': 'Minimum level' },
-    LEVELS.map((each) => [each, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`]),
+    LEVELS.map((each) => [each, each === 'DEBUG' ? 'all lines' : `${each.toLowerCase()} and above`]),
     () => {},
   );
   const list = element('ol', { class: 'log', 'aria-label': 'Log of the robot', tabindex: '0' });

@@ -37,14 +37,14 @@ export class PlotController {
     const holding = 'Hold the curves; the simulation continues';
     this.pause = button('Hold', holding, () => this.hold(), { id: 'hold-curves' });
     const zoom = choice(
-      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'Time range of the curves' },
+      { id: 'curve-span', 'aria-label': 'Time range of the curves', title: 'Time range of the curves' },
       SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
       (seconds) => {
         this.span = Number(seconds);
       },
     );
     zoom.value = String(this.span);
-    const table = button('CSV', 'Save what the plots show as a table', () => this.#offer(), { id: 'curves-csv' });
+    const table = button('CSV', 'Save the plotted values as a table', () => this.#offer(), { id: 'curves-csv' });
     const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });

@@ -28,7 +28,7 @@ export function loadPlotter() {
     script.src = ADDRESS;
     script.addEventListener('load', () => done());
     script.addEventListener('error', () =>
-      failed(new Error('The curves cannot be drawn: a part of the page is missing. Reload the page.')),
+      failed(new Error('The curves cannot be drawn: part of the page is missing. Reload the page.')),
     );
     document.head.append(script);
   });

@@ -40,7 +40,7 @@ export class RobotRoom {
     const map = element(
       'figure',
       { class: 'map' },
-      element('figcaption', { class: 'faint' }, 'From above: rings are the truth, filled shapes are beliefs'),
+      element('figcaption', { class: 'faint' }, 'From above. Rings: truth. Filled shapes: what the robot believes.'),
     );
     const senses = element('div', { class: 'senses-row' });
     const head = element('div', { class: 'robot-head' }, this.choice, this.facts);
@@ -132,10 +132,10 @@ export class RobotRoom {
     const place = placeOf(frame, robot);
     setText(
       this.facts,
-      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
+      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'standing' : 'lying'}`,
     );
     const { name, keyframe } = thoughts.motion;
-    setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');
+    setText(this.motion, name ? `Motion ${name}, moving to keyframe ${keyframe}` : 'No motion is running');
     this.drawJoints(moment);
     this.drawMap(moment);
     this.drawCamera(thoughts.picture && readSenses(thoughts.picture.perceptors).seen, scene.robots[robot].team);

@@ -20,7 +20,7 @@ export function sensesPanel(place) {
   const values = Object.fromEntries(NAMES.map((name) => [name, element('dd', {})]));
   const lines = NAMES.flatMap((name) => [element('dt', {}, name), values[name]]);
   const soles = shape('svg', { class: 'soles', viewBox: '-0.13 -0.1 0.26 0.2', role: 'img' });
-  soles.setAttribute('aria-label', 'Forces of the ground on the feet; the toes point up');
+  soles.setAttribute('aria-label', 'Ground forces on the feet; the toes point up');
   place.append(element('dl', { class: 'senses' }, ...lines), soles);
   return (senses, said, model) => {
     setText(values.Accelerometer, vector(senses.acceleration, 1, 'm/s²'));
@@ -50,7 +50,7 @@ function vector(numbers, digits, unit) {
 function foot(force) {
   return force
     ? `${fixed(Math.hypot(...force.force), 0)} N, forward ${fixed(force.contact[0] * 1000, 0)}, left ${fixed(force.contact[1] * 1000, 0)} mm`
-    : 'touches nothing';
+    : 'no contact';
 }
 
 /** @param {Record<string, string>} state */

@@ -19,7 +19,10 @@ export function surroundingsMap(place) {
     viewBox: `${-REACH_METRES} ${-REACH_METRES} ${2 * REACH_METRES} ${2 * REACH_METRES}`,
     role: 'img',
   });
-  svg.setAttribute('aria-label', 'The robot in the middle looks up. Rings: truth. Filled: what the robot believes.');
+  svg.setAttribute(
+    'aria-label',
+    'The robot in the middle faces up. Rings: truth. Filled shapes: what the robot believes.',
+  );
   const rings = [2, 4, 6].flatMap((radius) => [
     shape('circle', { class: 'ring', r: radius }),
     label(`${radius} m`, 0.08, -radius + 0.36, 'ring-text'),

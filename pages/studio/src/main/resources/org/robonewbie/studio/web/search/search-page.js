@@ -33,7 +33,7 @@ function draw() {
   if (task) {
     setText(
       byId('task'),
-      `${task.subject}: ${task.objective} (${task.isLargerBetter ? 'more' : 'less'} is better), ${task.method}`,
+      `${task.subject}: ${task.objective} (${task.isLargerBetter ? 'higher' : 'lower'} is better), ${task.method}`,
     );
     setText(byId('value-title'), `${task.objective} in ${task.unit}`);
     byId('share').setAttribute('value', String(search.rounds.length / task.rounds));

@@ -45,7 +45,7 @@ export function progressText(attempt) {
       : `${trial} is waiting for your agent. Start it with: ./robonewbie run MyAgent.java --port ${attempt.port} --team Students`;
   }
   if (attempt.state === 'RUNNING') {
-    return `${trial} is running and being judged.`;
+    return `${trial} is running and being graded.`;
   }
   if (attempt.state === 'NONE' || attempt.judged.length < attempt.trials) {
     return '';

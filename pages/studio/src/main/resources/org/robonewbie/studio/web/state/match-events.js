@@ -2,8 +2,8 @@
 
 /** @type {Record<string, string>} */
 const FOULS = {
-  CROWDING: 'too many of a team near the ball',
-  TOUCHING: 'too many robots touch each other',
+  CROWDING: 'too many robots of one team near the ball',
+  TOUCHING: 'too many robots touching each other',
   ILLEGAL_DEFENCE: 'too many defenders in the penalty area',
   ILLEGAL_ATTACK: 'too many attackers in the penalty area',
   INCAPABLE: 'lies on the ground for too long',

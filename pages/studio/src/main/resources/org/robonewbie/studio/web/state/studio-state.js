@@ -155,7 +155,7 @@ export function message(state, now) {
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting(
       'The world is waiting for an agent',
-      'Is one at a breakpoint? The world continues when the agent does.',
+      'Is it stopped at a breakpoint? The world continues when the agent does.',
     );
   }
   return undefined;
@@ -164,7 +164,7 @@ export function message(state, now) {
 /** @param {Scene} scene */
 function joinHint({ clock: hasClock, agentPort = DEFAULT_AGENT_PORT }) {
   if (agentPort === NO_PORT) {
-    return 'Choose an agent in the toolbar above, or run a program in the room Program.';
+    return 'Choose an agent in the toolbar above, or run a program in the Program room.';
   }
   const port = agentPort === DEFAULT_AGENT_PORT ? '' : ` --port ${agentPort}`;
   return hasClock === false

@@ -97,7 +97,7 @@ export function withoutWallLine(wall) {
 export function wallSentence(wall) {
   return phaseSentence(wall, {
     waiting: 'Waiting for the competition …',
-    running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials begin …',
+    running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials are starting …',
     lost: 'Repeat the command to continue the competition.',
     ended: `The competition is over. ${wall.outcome}`,
   });

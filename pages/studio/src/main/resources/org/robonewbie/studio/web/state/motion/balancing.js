@@ -1,5 +1,5 @@
 /**
- * "Make it balanced": shifts the torso over fixed feet until the centre of mass is above the support polygon. Pure.
+ * "Balance": shifts the torso over fixed feet until the centre of mass is above the support polygon. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./body.js').Posture} Posture
@@ -58,7 +58,7 @@ export function madeBalanced(state) {
     }
     return when === 'now' ? { ...frame, degrees: posture } : frame;
   });
-  return { state: edited(state, document, 'Make it balanced'), report };
+  return { state: edited(state, document, 'Balance'), report };
 }
 
 /**
@@ -169,17 +169,17 @@ function reachProblem(body, posture, margin) {
     const { minDegrees, maxDegrees } = body.joints[joint];
     return Math.min(posture[joint] - minDegrees, maxDegrees - posture[joint]) < AT_LIMIT_DEGREES;
   });
-  const missing = `${Math.max(0.1, 100 * (WANTED_METRES - margin)).toFixed(1)} cm are missing`;
+  const missing = `${Math.max(0.1, 100 * (WANTED_METRES - margin)).toFixed(1)} cm short of balance`;
   return stuck === undefined
-    ? `the legs are not long enough, ${missing}`
-    : `the ${jointName(body.joints[stuck].name)} is at its limit, ${missing}`;
+    ? `the legs are not long enough, still ${missing}`
+    : `the ${jointName(body.joints[stuck].name)} is at its limit, still ${missing}`;
 }
 
 /** @param {BalanceReport} report @returns {string} a sentence */
 export function balanceText({ before, now, never }) {
   const counts = [
     now > 0 ? `${countText(now)} shifted` : '',
-    before > 0 ? `${countText(before)} ${before === 1 ? 'was' : 'were'} balanced before` : '',
+    before > 0 ? `${countText(before)} ${before === 1 ? 'was' : 'were'} already balanced` : '',
     never.length > 0 ? `${countText(never.length)} cannot be balanced` : '',
   ];
   return `${counts.filter(Boolean).join(', ')}.`;

@@ -54,7 +54,7 @@ export function lagFaults(body, lag, time) {
     .slice(0, MAX_LATE)
     .map(({ joint, degrees }) => ({
       kind: 'lag',
-      text: `${jointName(body.joints[joint].name)} is ${Math.abs(degrees).toFixed(0)}° from the plan`,
+      text: `${jointName(body.joints[joint].name)} is ${Math.abs(degrees).toFixed(0)}° off the plan`,
       links: [linkOf(body, joint)],
     }));
 }
@@ -96,10 +96,10 @@ function speedFaults(body, frames, time) {
 /** @param {Body} body @param {{joint: number, perSecond: number, share: number}} speed */
 function speedText({ joints }, { joint, perSecond, share }) {
   const { name, maxDegreesPerSecond } = joints[joint];
-  const can = `${maxDegreesPerSecond.toFixed(0)}°/s that its motor can`;
+  const can = `${maxDegreesPerSecond.toFixed(0)}°/s that its motor can reach`;
   return share > SPEED_TOLERANCE
-    ? `${jointName(name)} would turn ${perSecond.toFixed(0)}°/s, more than the ${can}`
-    : `fastest: ${jointName(name)} with ${perSecond.toFixed(0)} of the ${can}`;
+    ? `${jointName(name)} would turn at ${perSecond.toFixed(0)}°/s, more than the ${can}`
+    : `fastest: ${jointName(name)} at ${perSecond.toFixed(0)} of the ${can}`;
 }
 
 /** @param {Body} body @param {number} joint @param {number} degrees @returns {Fault[]} */

@@ -69,7 +69,7 @@ export function problemNotes({ lines }) {
     return [];
   }
   const others = problems.length > 1 ? `, and ${problems.length - 1} more` : '';
-  return [`Skipped and kept unchanged: ${problems[0]}${others}. Agents refuse the file until it is corrected.`];
+  return [`Skipped and kept unchanged: ${problems[0]}${others}. Agents reject the file until it is corrected.`];
 }
 
 /** Collects remarks about rows and merges equal ones into one sentence with a count. */
@@ -129,8 +129,8 @@ export function columnNotes({ names, columns }, { joints }) {
   const named = new Set(columns.map((column) => column?.joint));
   const missing = joints.filter((_, i) => !named.has(i)).map(({ name }) => name);
   return [
-    ...(unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : []),
-    ...(missing.length > 0 ? [`No column for ${listText(missing)}: angles of the start posture are used.`] : []),
+    ...(unknown.length > 0 ? [`Skipped ${unknown.join(', ')}, which this robot does not have.`] : []),
+    ...(missing.length > 0 ? [`No column for ${listText(missing)}: the angles of the start posture are used.`] : []),
   ];
 }
 
@@ -168,7 +168,7 @@ export function postureOf(row, cells, unit, { names, columns }, before, remarks)
   const next = [...before];
   columns.forEach((column, i) => {
     if (column && values[i] === '') {
-      remarks.add('If a cell is empty (#), the joint keeps its angle.', row);
+      remarks.add('Where a cell is empty (#), the joint keeps its angle.', row);
     } else if (column && values[i] !== '*') {
       next[column.joint] = fourDecimals(
         column.sign * toDegrees * numberIn(values[i], `an angle in ${unit}, such as ${example}`),
@@ -189,11 +189,11 @@ export function waysBetween(remarks) {
   let reached = 0;
   return (millis, row) => {
     if (millis <= before) {
-      throw new UnreadableRow(`found the time ${millis} ms, expected a later one than ${before} ms before`);
+      throw new UnreadableRow(`found the time ${millis} ms, expected a time later than the previous one, ${before} ms`);
     }
     const way = Math.round(millis - reached);
     if (before >= 0 && way < MIN_WAY) {
-      remarks.add('Times shorter than a cycle of 20 ms are played in 20 ms (#).', row);
+      remarks.add('Times shorter than one cycle of 20 ms are extended to 20 ms (#).', row);
     }
     before = millis;
     reached += Math.max(MIN_WAY, way);

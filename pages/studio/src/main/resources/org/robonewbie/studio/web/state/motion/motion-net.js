@@ -115,7 +115,7 @@ function netOf(rows, start) {
   for (const { from, to, row } of net.transitions) {
     const missing = [from, to].find((id) => !net.postures.has(id));
     if (missing !== undefined) {
-      net.problems.set(row.number, `the file has no keyframe ${missing} that could be read`);
+      net.problems.set(row.number, `the file has no readable keyframe ${missing}`);
     }
   }
   return net;
@@ -127,7 +127,7 @@ function addRow(net, row, start) {
   if (cells[0] === 'keyframe') {
     addKeyframe(net, row, cells, start);
   } else if (cells[0] === 'transition') {
-    const [from, to] = cells.slice(1, 3).map((cell) => numberIn(cell, 'the number of a keyframe'));
+    const [from, to] = cells.slice(1, 3).map((cell) => numberIn(cell, 'a keyframe number'));
     const millis = positiveIn(cells[3] ?? '', 'a time in milliseconds');
     net.transitions.push({ from, to, millis: Math.max(20, Math.round(millis)), row });
   } else if (!row.text.startsWith('#')) {
@@ -143,7 +143,7 @@ function addRow(net, row, start) {
 function addKeyframe(net, row, cells, start) {
   const [id] = cells.slice(1, 4).map((cell) => numberIn(cell, 'a number'));
   if (!net.columns) {
-    throw new UnreadableRow('found a keyframe, expected a line with the names of the joints before it');
+    throw new UnreadableRow('found a keyframe, expected a line with the joint names before it');
   }
   if (net.postures.has(id)) {
     throw new UnreadableRow(`found keyframe ${id}, which is already defined`);
@@ -154,7 +154,7 @@ function addKeyframe(net, row, cells, start) {
 /** @param {string} name */
 function refuseOther(name) {
   if (!ORIGINAL_JOINTS.includes(name)) {
-    throw new UnreadableRow(`found “${name}”, expected keyframe, transition or the name of a joint`);
+    throw new UnreadableRow(`found “${name}”, expected “keyframe”, “transition” or a joint name`);
   }
 }
 
@@ -169,7 +169,7 @@ function chainOf({ postures, transitions }) {
       return { steps, end: [] };
     }
     if (visited.has(step.to)) {
-      return { steps, end: [`The net continues at keyframe ${step.to} again; the motion ends there.`] };
+      return { steps, end: [`The net returns to keyframe ${step.to}; the motion ends there.`] };
     }
     steps.push(step);
     visited.add(step.to);

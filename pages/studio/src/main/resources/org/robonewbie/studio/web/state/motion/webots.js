@@ -117,8 +117,8 @@ export function readWebots(text, body, start) {
   const found = outOfRange(nao.document, body) <= outOfRange(original.document, body) ? nao : original;
   const signs =
     found.reading === 'nao'
-      ? 'Read with NAO’s own signs, as Webots writes them.'
-      : 'Read with the signs of the original motion editor.';
+      ? 'Angles were read with NAO’s own signs, as Webots writes them.'
+      : 'Angles were read with the signs of the original motion editor.';
   const { document, columns, remarks } = found;
   return { document, notes: [signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }
@@ -130,7 +130,7 @@ function tableOf([head, ...rest]) {
     throw new Error('This is not a Webots motion: its first line does not begin with #WEBOTS_MOTION.');
   }
   if (!/^V1\.[01]$/.test(version)) {
-    throw new Error(`This Webots motion is of version “${version}”; V1.0 and V1.1 can be read.`);
+    throw new Error(`This Webots motion has version “${version}”; only V1.0 and V1.1 can be read.`);
   }
   if (written.every((name) => name === '')) {
     return tableBelow(rest);

@@ -107,9 +107,9 @@ export function classNameProblem(name) {
   const wrong = [...letters].find((letter, i) => !(i === 0 ? /[\p{L}_$]/u : /[\p{L}\p{N}_$]/u).test(letter));
   if (wrong !== undefined) {
     const place = letters.startsWith(wrong) ? 'cannot begin with' : 'cannot contain';
-    return `The name of a class ${place} ${wrong === ' ' ? 'a blank' : `“${wrong}”`}.`;
+    return `A class name ${place} ${wrong === ' ' ? 'a space' : `“${wrong}”`}.`;
   }
-  return letters.length > 0 && letters.length <= 80 ? '' : 'The name of a class has 1 to 80 letters.';
+  return letters.length > 0 && letters.length <= 80 ? '' : 'A class name has 1 to 80 characters.';
 }
 
 /**

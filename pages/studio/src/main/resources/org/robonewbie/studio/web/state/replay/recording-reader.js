@@ -98,7 +98,7 @@ export class RecordingReader {
   #begin(source) {
     const magic = String.fromCharCode(...source.bytes(MAGIC.length));
     if (magic !== MAGIC) {
-      throw new Error('This is not a recording of RoboNewbie, or it is damaged.');
+      throw new Error('This is not a RoboNewbie recording, or it is damaged.');
     }
     const version = source.unsigned();
     if (version !== VERSION) {

@@ -28,7 +28,7 @@ public final class MessageDigest implements Cloneable {
      */
     public static MessageDigest getInstance(String algorithm) throws NoSuchAlgorithmException {
         if (!algorithm.equals("SHA-256")) {
-            throw new NoSuchAlgorithmException(algorithm + " is not available in a page; only SHA-256 is.");
+            throw new NoSuchAlgorithmException(algorithm + " is not available on this page; only SHA-256 is.");
         }
         return new MessageDigest();
     }
