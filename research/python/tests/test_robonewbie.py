@@ -94,7 +94,7 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
 
     def test_unknown_task_is_told_with_those_that_exist(self):
-        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no task "Fly". There are: .*Kick, .*Reach, .*Stand, Walk'):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no task "Fly". Available: .*Kick, .*Reach, .*Stand, Walk'):
             robonewbie.RoboNewbieEnv("Fly")
 
 
@@ -115,7 +115,7 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
         energy.close()
 
-        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no measure "joy". There are: .*energy'):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'no measure "joy". Available: .*energy'):
             gymnasium.make("RoboNewbie/Walk-v1", reward="joy")
 
 

@@ -120,7 +120,7 @@ class FormerFilesTest {
 
         String resumed = ends(0, "experiment", "push.plan", "--output", "push.csv");
 
-        assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to begin again");
+        assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to start over");
         assertThat(resumed).contains("12 trials are already done");
         assertThat(folder.resolve("push.csv")).content().hasLineCount(41);
     }

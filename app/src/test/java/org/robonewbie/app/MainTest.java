@@ -108,7 +108,7 @@ class MainTest {
         Printed answer = Printed.by("studio", "nowhere.rec");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("There is no file").contains("nowhere.rec\". Is its name right?");
+        assertThat(answer.err()).contains("There is no file").contains("nowhere.rec\". Check the name.");
     }
 
     @Test

@@ -27,7 +27,7 @@ import org.robonewbie.programs.process.JavaCommand;
 class StartPlaceTest {
 
     private static final String ADVICE =
-            "since the encoding of this shell is ANSI_X3.4-1968. Write \"export LC_ALL=C.UTF-8\"";
+            "since the encoding of this shell is ANSI_X3.4-1968. Run \"export LC_ALL=C.UTF-8\"";
 
     private static final String PROGRAM = """
             import org.robonewbie.agent.Agent;
@@ -119,7 +119,7 @@ class StartPlaceTest {
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
                 .contains(
-                        "--seconds 0.2 ended before the robot was in the game; joining takes about 0.3 s. Give at least 1.");
+                        "--seconds 0.2 ended before the robot was in the game; joining takes about 0.3 s. Use at least 1.");
     }
 
     @Test

@@ -51,8 +51,8 @@ public final class Bench {
     /** Returns the value of an option, or throws if it is out of range. */
     static int checked(String option, int value, int min, int max) {
         if (value < min || value > max) {
-            String range = max == Integer.MAX_VALUE ? "of at least " + min : "from " + min + " to " + max;
-            throw new IllegalArgumentException(option + " " + value + ": give a number " + range + ".");
+            String range = max == Integer.MAX_VALUE ? "at least " + min : "from " + min + " to " + max;
+            throw new IllegalArgumentException(option + " must be " + range + ", not " + value + ".");
         }
         return value;
     }
@@ -86,7 +86,7 @@ public final class Bench {
         @Option(
                 names = "--seeds",
                 paramLabel = "N",
-                description = "Trials of each one, each with a different disturbance (20).")
+                description = "Number of trials, each with a different disturbance (20).")
         private int seeds = 20;
 
         @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (1).")
@@ -112,16 +112,16 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name contains this, such as kick.")
+                            description = "Measure only motions whose name contains this text, such as kick.")
                     String part,
             @Option(
                             names = "--type",
                             paramLabel = "0..4",
                             defaultValue = "0",
                             description =
-                                    "Build of the robot; types 1 to 4 walk on a whole simulator only (${DEFAULT-VALUE}).")
+                                    "Robot type; types 1 to 4 walk only in the full simulator (${DEFAULT-VALUE}).")
                     int type,
-            @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+            @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
                     Optional<Path> json)
             throws IOException {
         RobotType built = RobotType.values()[checked("--type", type, 0, MAX_TYPE)];
@@ -139,16 +139,16 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name contains this, such as Better.")
+                            description = "Measure only agents whose name contains this text, such as Better.")
                     String part,
-            @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+            @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
                     Optional<Path> json)
             throws IOException {
         new AgentMeasurement(trials.seeds(), trials.firstSeed, System.out).run(part, json);
     }
 
     @Command(
-            description = "Let the example team play halves against as many others.",
+            description = "Let the example team play halves against a team of the same size.",
             footer = {
                 "",
                 "Examples:",
@@ -167,7 +167,7 @@ public final class Bench {
                             names = "--against",
                             paramLabel = "AGENT",
                             defaultValue = TeamMeasurement.DEFAULT_OPPONENT,
-                            description = "The others, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
+                            description = "The opponents, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
                     String opponent) {
         new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out)
                 .run(checked("--players", players, 1, 11), opponent);

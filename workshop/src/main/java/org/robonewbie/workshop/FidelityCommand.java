@@ -37,18 +37,18 @@ final class FidelityCommand implements Callable<Integer> {
             names = "--link",
             paramLabel = "LINK",
             defaultValue = "none",
-            description = "How the recorded commands reach the robot: none (directly to the world; default), in-process"
-                    + " or tcp (as an agent's messages, through a whole server).")
+            description = "How the recorded commands reach the robot: none (applied directly to the world;"
+                    + " default), in-process or tcp (sent as agent messages through a full server).")
     private String link = "none";
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
     private Optional<Path> json = Optional.empty();
 
     @Override
     public Integer call() throws IOException {
         directory.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
             throw new IllegalArgumentException(
-                    folder + " is not a folder. Give one with recordings (*.jsonl, *.jsonl.gz).");
+                    folder + " is not a folder. Choose one with recordings (*.jsonl, *.jsonl.gz).");
         });
         AgentRoute route = route();
         FidelityReport report =

@@ -20,9 +20,9 @@ import picocli.CommandLine.Option;
         description = {
             "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"bench fidelity\" to replay.",
             "",
-            "The server must wait for its agents and send a monitor message in each cycle: in a real server's spark.rb"
-                    + " $agentSyncMode = true and $monitorStep = 0.02, and $threadedMode = false; for exact numbers no beam noise"
-                    + " (naosoccersim.rb: BeamNoiseXY and BeamNoiseAngle 0)."
+            "The server must wait for its agents and send a monitor message in each cycle: for a real server, set"
+                    + " $agentSyncMode = true, $monitorStep = 0.02 and $threadedMode = false in spark.rb. For exact"
+                    + " numbers, also turn off the beam noise (BeamNoiseXY and BeamNoiseAngle 0 in naosoccersim.rb)."
         },
         footer = {
             "",
@@ -62,14 +62,14 @@ final class RecordCommand implements Callable<Integer> {
             names = "--out",
             paramLabel = "DIRECTORY",
             defaultValue = "reference",
-            description = "Where to write the recordings (default: ${DEFAULT-VALUE}).")
+            description = "Folder for the recordings (default: ${DEFAULT-VALUE}).")
     private Path directory = Path.of("reference");
 
     @Option(
             names = "--type",
             paramLabel = "0..4",
             defaultValue = "0",
-            description = "Build of the robot (default: ${DEFAULT-VALUE}).")
+            description = "Robot type (default: ${DEFAULT-VALUE}).")
     private int type;
 
     @Option(names = "--scenario", paramLabel = "NAME", description = "Record only this scenario; may be repeated.")
@@ -87,7 +87,7 @@ final class RecordCommand implements Callable<Integer> {
         List<ReferenceScenario> scenarios = scenarios();
         new ReferenceRecorder(new ReferenceServer(host, port, monitorPort), type, System.out)
                 .record(scenarios, directory);
-        System.out.println("Recorded into " + directory + ". Compare with: bench fidelity " + directory);
+        System.out.println("Recording saved to " + directory + ". Compare with: bench fidelity " + directory);
         return ExitCode.OK;
     }
 

@@ -13,7 +13,8 @@ import picocli.CommandLine.Option;
 /** Load test of a server with complete matches. */
 @Command(
         name = "server",
-        description = "Let many robots play whole matches over TCP; does the server keep up with real time?",
+        description =
+                "Let many robots play full matches over TCP, to check whether the server keeps up with real time.",
         footer = {
             "",
             "Examples:",
@@ -50,7 +51,7 @@ final class ServerCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (!(seconds >= 1) || Double.isInfinite(seconds)) {
-            throw new IllegalArgumentException("--seconds " + seconds + ": give a length of at least 1 second.");
+            throw new IllegalArgumentException("--seconds must be at least 1, not " + seconds + ".");
         }
         LoadSettings load = new LoadSettings(
                 Bench.checked("--robots", robots, 2, Bench.MAX_ROBOTS),

@@ -35,11 +35,11 @@ import picocli.CommandLine.Option;
             "  bench speed --json figures.json --table table.md      the table of docs/performance.md",
             "  bench speed --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
             "",
-            "A real rcssserver3d: set $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
-            "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
-            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots join one after the",
-            "other, and are placed by its monitor port. The measurement ends with a message if the server admits no more robots or",
-            "sends nothing for 20 s. Memory is that of this process, not of the server."
+            "To measure a real rcssserver3d, set $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the",
+            "folder in which it starts, start it there without a monitor, and find its process with \"pidof rcssserver3d\". Then measure",
+            "it on the same computer, as in the last example; add --port and --monitor-port if its ports are not 3100 and 3200. Robots",
+            "join one after the other and are placed through the monitor port. The measurement ends with a message if the server",
+            "admits no more robots or sends nothing for 20 s. The reported memory is that of this process, not of the server."
         })
 final class SpeedCommand implements Callable<Integer> {
 
@@ -50,14 +50,14 @@ final class SpeedCommand implements Callable<Integer> {
             names = "--robots",
             paramLabel = "N",
             split = ",",
-            description = "How many robots, each number 1 to 22 (1,2,6,11,22).")
+            description = "Numbers of robots to measure, each 1 to 22 (1,2,6,11,22).")
     private List<Integer> robots = List.of(1, 2, 6, 11, 22);
 
     @Option(
             names = "--scene",
             paramLabel = "SCENE",
             split = ",",
-            description = "What they do: standing, walking, heap (all three).")
+            description = "What the robots do: standing, walking, heap (all three).")
     private List<CrowdScene> scenes = List.of(CrowdScene.values());
 
     @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds to measure (default: 20).")
@@ -81,10 +81,10 @@ final class SpeedCommand implements Callable<Integer> {
             description = "Threads of the embedded server and of the agents, 1 to 16 (1).")
     private int threads = 1;
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
     private Optional<Path> json = Optional.empty();
 
-    @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
+    @Option(names = "--table", paramLabel = "FILE", description = "Also write the results as a Markdown table.")
     private Optional<Path> table = Optional.empty();
 
     @Option(
@@ -93,16 +93,19 @@ final class SpeedCommand implements Callable<Integer> {
             description = "Measure the server on this computer instead of the embedded one.")
     private Optional<String> host = Optional.empty();
 
-    @Option(names = "--port", paramLabel = "N", description = "Its port for agents (3100).")
+    @Option(names = "--port", paramLabel = "N", description = "The port of that server for agents (3100).")
     private int port = 3100;
 
-    @Option(names = "--monitor-port", paramLabel = "N", description = "Its port for monitors and trainers (3200).")
+    @Option(
+            names = "--monitor-port",
+            paramLabel = "N",
+            description = "The port of that server for monitors and" + " trainers (3200).")
     private int monitorPort = 3200;
 
     @Option(
             names = "--pid",
             paramLabel = "N",
-            description = "Its process on this computer, to measure its processor time.")
+            description = "The process of that server, if it runs on this computer, to measure its processor time.")
     private Optional<Long> processId = Optional.empty();
 
     private boolean begun;
@@ -152,7 +155,7 @@ final class SpeedCommand implements Callable<Integer> {
     private static void checkSeconds(String option, double value) {
         if (!(value > 0 && value <= 1e6)) {
             throw new IllegalArgumentException(
-                    option + " " + value + " is not possible. Give simulated seconds above 0, such as 20.");
+                    option + " " + value + " is not valid. Use simulated seconds above 0, such as 20.");
         }
     }
 

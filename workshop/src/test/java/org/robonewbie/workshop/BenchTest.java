@@ -45,16 +45,16 @@ class BenchTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "agents --seeds 0 | --seeds 0: give a number of at least 1.",
-                "motions --type 5 | --type 5: give a number from 0 to 4.",
-                "team --players 12 | --players 12: give a number from 1 to 11.",
-                "team --against Agent_Nobody | --against Agent_Nobody: write Agent_BetterSoccer or Agent_Team.",
-                "server --robots 1 | --robots 1: give a number from 2 to 22.",
-                "speed --robots 1,23 | --robots 23: give a number from 1 to 22.",
-                "speed --seconds 0 | --seconds 0.0 is not possible. Give simulated seconds above 0, such as 20.",
-                "speed --host localhost --port 70000 | --port 70000: give a number from 1 to 65535.",
+                "agents --seeds 0 | --seeds must be at least 1, not 0.",
+                "motions --type 5 | --type must be from 0 to 4, not 5.",
+                "team --players 12 | --players must be from 1 to 11, not 12.",
+                "team --against Agent_Nobody | --against must be Agent_BetterSoccer or Agent_Team, not Agent_Nobody.",
+                "server --robots 1 | --robots must be from 2 to 22, not 1.",
+                "speed --robots 1,23 | --robots must be from 1 to 22, not 23.",
+                "speed --seconds 0 | --seconds 0.0 is not valid. Use simulated seconds above 0, such as 20.",
+                "speed --host localhost --port 70000 | --port must be from 1 to 65535, not 70000.",
                 "speed --json no/such/folder/figures.json | The results cannot be written to the folder",
-                "record --type 7 | --type 7: give a number from 0 to 4.",
+                "record --type 7 | --type must be from 0 to 4, not 7.",
                 "fidelity nowhere | nowhere is not a folder"
             })
     void refusesWhatCannotBeMeasured(String command, String message) {

@@ -39,12 +39,13 @@ import picocli.CommandLine.Parameters;
         description = {
             "Run a contest between the programs of up to ten teams, and rank them.",
             "",
-            "scoring     one trial of 180 s each: the earliest goal wins, otherwise the ball nearest to the goal at the end",
+            "scoring     one trial of 180 s per team: the earliest goal wins, otherwise the ball closest to the"
+                    + " goal at the end",
             "penalties   attacker against goalkeeper, both roles, sudden death",
             "matches     round robin on the small pitch",
             "league      full teams on the league's pitch, round robin, home and away",
             "walk, kick, stand, gymnastics   small contests for one robot",
-            "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
+            "exercise:NAME                   an exercise of the course, graded as by \"robonewbie grade\"",
             "",
             "Each program runs in a separate process, which bubblewrap isolates on Linux. A program that fails costs its team the trial and nothing else."
                     + " The same seed and programs give the same table. After an interruption, the same command resumes the contest."
@@ -62,11 +63,11 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
-            "Exit code: 0, or 1 if the files of a team were refused and the other teams played.",
+            "Exit code: 0 if all teams played, 1 if the files of a team were refused and only the others played.",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
-                    + " command. A file of teams has one per line. docs/competition.md explains the details and has a rule sheet"
-                    + " to hand out."
+                    + " command. A teams file lists one team per line. docs/competition.md explains the details and"
+                    + " contains a rule sheet to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
 
@@ -224,8 +225,8 @@ final class CompetitionCommand implements Callable<Integer> {
     private List<TeamEntry> teams() {
         List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
         if (teamsFile.isPresent() && !entries.isEmpty()) {
-            throw new CalledWronglyException("Teams are given both in " + teamsFile.get()
-                    + " and on the command line. Write all of them into the file, or omit --teams.");
+            throw new CalledWronglyException("Teams are listed both in " + teamsFile.get()
+                    + " and on the command line. List all of them in the file, or omit --teams.");
         }
         int needed = Set.of("penalties", MatchKind.MATCHES.word(), MatchKind.LEAGUE.word())
                         .contains(kind)

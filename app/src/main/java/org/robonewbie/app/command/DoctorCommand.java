@@ -12,13 +12,13 @@ import picocli.CommandLine.Option;
 /** {@code robonewbie doctor}: checks the installation. */
 @Command(
         name = "doctor",
-        description = "Check the installation, or a computer room before a course, and say what to fix.",
+        description = "Check the installation, or a computer room before a course, and report what to fix.",
         footer = {
             "",
             "Examples:",
             "  robonewbie doctor",
-            "  robonewbie doctor --headless     skip studio and browser",
-            "  robonewbie doctor --course       on each computer of a room, from a student's account",
+            "  robonewbie doctor --headless     skip the studio and the browser",
+            "  robonewbie doctor --course       on each computer in the room, logged in as a student",
             "",
             "Exit code: 0 if the computer is ready, 1 if something must be fixed first."
         })
@@ -27,13 +27,13 @@ final class DoctorCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(names = "--headless", description = "Skip the checks of studio and browser.")
+    @Option(names = "--headless", description = "Skip the checks of the studio and the browser.")
     private boolean headless;
 
     @Option(
             names = "--course",
-            description =
-                    "Also check what a course needs: permissions, start time, graphics, and a project and an exercise without a network.")
+            description = "Also check what a course needs: permissions, start time, graphics, and whether a project and"
+                    + " an exercise work offline.")
     private boolean course;
 
     @Override
@@ -53,7 +53,7 @@ final class DoctorCommand implements Callable<Integer> {
         System.out.println(
                 switch (worst) {
                     case WELL -> word.in(success);
-                    case NOTABLE -> "RoboNewbie works with restrictions: see the lines with \"look\".";
+                    case NOTABLE -> "RoboNewbie works, with limitations: see the lines with \"look\".";
                     case BROKEN -> "Something must be fixed first: see the lines with FAIL.";
                 });
         return worst == Verdict.BROKEN ? ExitCode.SOFTWARE : ExitCode.OK;

@@ -34,7 +34,7 @@ final class EngineOption {
 
     int threads() {
         if (threads < 1) {
-            throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
+            throw new CalledWronglyException("--threads must be at least 1, not " + threads + ".");
         }
         return threads;
     }

@@ -25,7 +25,8 @@ final class EvaluationCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "FILE",
-            description = "CSV table: names of the questions, then a line of numbers for each participant.")
+            description =
+                    "CSV table: a line with the names of the questions, then a line of numbers for each participant.")
     private Path file = Path.of("");
 
     @Override

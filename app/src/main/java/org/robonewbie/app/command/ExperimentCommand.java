@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
             "  seed=1",
             "  newtons=20,40,60",
             "All names except the first three are parameters; the trials cycle through all combinations of their values.",
-            "The table does not depend on the engine and the number of threads. Each result is recorded immediately beside the",
+            "The table does not depend on the engine or the number of threads. Each result is saved immediately next to the",
             "table. To resume an interrupted run, run the same command again."
         },
         footer = {
@@ -90,7 +90,7 @@ final class ExperimentCommand implements Callable<Integer> {
             int missing = run.missing().size();
             int done = plan.trials() - missing;
             if (done > 0) {
-                System.err.println(done + " trials are already done, " + missing + " are left.");
+                System.err.println(done + " trials are already done; " + missing + " are left.");
             }
             try (BatchProgress progress = BatchProgress.of("trials", plan.trials(), done)) {
                 run.run(runner, progress);
@@ -103,9 +103,9 @@ final class ExperimentCommand implements Callable<Integer> {
                 return ExitCode.OK;
             }
             run.failures().forEach(System.err::println);
-            System.err.println(
-                    run.failures().size()
-                            + " trials failed, see above. To run them again, run the same command; the other results are kept.");
+            System.err.println(run.failures().size()
+                    + " trials failed (see above). To run them again, run the same command; the other"
+                    + " results are kept.");
             return ExitCode.SOFTWARE;
         }
     }

@@ -46,7 +46,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade arm-by-side --start      write the starter code ArmBySide.java",
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
-            "  robonewbie grade kick Kick.java --watch     and show the first trial in the studio",
+            "  robonewbie grade kick Kick.java --watch     grade it, and show the first trial in the studio",
             "  robonewbie grade kick Kick.java --language de   findings and hints in German",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "  robonewbie grade kick --hint              reveal the next hint",
@@ -111,8 +111,8 @@ final class GradeCommand implements Callable<Integer> {
     @Option(
             names = "--class",
             paramLabel = "FOLDER",
-            description = "Grade all programs of a class, with one folder for each student, into one table."
-                    + " Repeat the command to resume, or to grade what has changed.")
+            description = "Grade all programs of a class (one folder per student) into one table. Run the command"
+                    + " again to resume, or to grade changed programs.")
     private Optional<Path> classFolder = Optional.empty();
 
     @Option(
@@ -136,7 +136,7 @@ final class GradeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (seeds < 1) {
-            throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
+            throw new CalledWronglyException("--seeds must be at least 1, not " + seeds + ".");
         }
         if (progress.isGiven()) {
             return progress.show();
@@ -206,7 +206,7 @@ final class GradeCommand implements Callable<Integer> {
             return whole.resolveSibling(whole.getFileName() + "-grades");
         });
         Path page = new ClassMarking(folder, wanted, seeds, target, version(), sandbox(), System.out::println).run();
-        System.out.println("The table: " + page + ", and as grades.csv beside it.");
+        System.out.println("Wrote the table " + page + ", and grades.csv next to it.");
         return ExitCode.OK;
     }
 
@@ -270,7 +270,7 @@ final class GradeCommand implements Callable<Integer> {
         System.out.println(ProgramName.here()
                 .in("Written: " + file + System.lineSeparator()
                         + language.language().translated(exercise.goal()) + System.lineSeparator()
-                        + "Edit it, then grade it and see the trial with points and a hint:"
+                        + "Edit it, then grade it to see the trial, your points and a hint:"
                         + System.lineSeparator() + "robonewbie grade " + exercise.name() + " " + file + " --watch"));
         return ExitCode.OK;
     }
@@ -310,8 +310,8 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private static CalledWronglyException withoutSolution(Exercise exercise) {
-        return new CalledWronglyException("Which program solves " + exercise.name() + "? Write: robonewbie grade "
-                + exercise.name() + " " + exercise.className() + ".java" + System.lineSeparator()
+        return new CalledWronglyException("Name the program to grade, for example: robonewbie grade " + exercise.name()
+                + " " + exercise.className() + ".java" + System.lineSeparator()
                 + "To write the starter code first: robonewbie grade " + exercise.name()
                 + " --start");
     }

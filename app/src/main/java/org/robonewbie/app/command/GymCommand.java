@@ -49,7 +49,7 @@ final class GymCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (port < 0 || port > 65535) {
-            throw new CalledWronglyException("--port " + port + ": give a number from 0 to 65535.");
+            throw new CalledWronglyException("--port must be from 0 to 65535, not " + port + ".");
         }
         try (EnvironmentServer server = EnvironmentServer.open(
                 port,

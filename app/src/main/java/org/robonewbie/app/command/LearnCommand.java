@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "learn",
         description = {
-            "Learn a policy for a task with an evolution strategy, or evaluate one.",
+            "Train a policy for a task with an evolution strategy, or evaluate one.",
             "",
             "Each generation writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to FILE.checkpoint."
                     + " To resume an interrupted search, run the same command again."
@@ -36,7 +36,7 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  robonewbie learn WalkGait                      a walk, into WalkGait.policy",
+            "  robonewbie learn WalkGait                      trains a walk and writes WalkGait.policy",
             "  robonewbie learn WalkGait better.policy --start shipped --sigma 0.02 --learning-rate 0.003",
             "  robonewbie learn Stand --option noise=0.3      a task of the Python package, or a custom class",
             "  robonewbie learn Stand --evaluate 100          evaluates Stand.policy",
@@ -73,7 +73,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(names = "--sigma", paramLabel = "X", description = "Standard deviation of candidates (0.05).")
     private double sigma = 0.05;
 
-    @Option(names = "--learning-rate", paramLabel = "X", description = "Step of the mean in a generation (0.01).")
+    @Option(names = "--learning-rate", paramLabel = "X", description = "Step size of the mean per generation (0.01).")
     private double learningRate = 0.01;
 
     @Option(
@@ -85,7 +85,8 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--inputs",
             paramLabel = "REGEX",
-            description = "Names of the network's inputs (all observed quantities except joint angles).")
+            description =
+                    "Pattern for the names of the network's inputs (all observed quantities except joint angles).")
     private String inputs = PolicyModel.DEFAULT_INPUTS;
 
     @Option(names = "--hidden", paramLabel = "N", description = "Hidden neurons; 0 for no hidden layer (16).")
@@ -106,7 +107,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--evaluate",
             paramLabel = "EPISODES",
-            description = "Evaluate the policy in this number of episodes instead of learning.")
+            description = "Evaluate the policy in this number of episodes instead of training.")
     private @Nullable Integer evaluate;
 
     @Override
@@ -120,7 +121,7 @@ final class LearnCommand implements Callable<Integer> {
             } else if (evaluate > 0) {
                 System.out.println(policy + ": " + PolicySearch.evaluate(model, evaluate, policy(model, policy)));
             } else {
-                throw new CalledWronglyException("--evaluate " + evaluate + ": give a number from 1.");
+                throw new CalledWronglyException("--evaluate must be at least 1, not " + evaluate + ".");
             }
             return ExitCode.OK;
         } catch (IllegalArgumentException | UncheckedIOException wrong) {
@@ -137,7 +138,7 @@ final class LearnCommand implements Callable<Integer> {
         EvolutionStrategy strategy = new EvolutionStrategy(seed, pairs, sigma, learningRate);
         PolicySearch search = new PolicySearch(model, strategy, output);
         search.run(generations, Optional.ofNullable(start).map(from -> policy(model, from)), System.out::println);
-        System.out.println("Written to " + output + "; its curve is " + search.curve() + ".");
+        System.out.println("Written to " + output + "; the learning curve is in " + search.curve() + ".");
     }
 
     private static Policy policy(PolicyModel model, String name) {

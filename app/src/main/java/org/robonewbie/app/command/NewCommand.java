@@ -22,7 +22,7 @@ import picocli.CommandLine.Parameters;
         name = "new",
         description = {
             "Create a project of your own: a folder with an agent, a motion, a test and all of RoboNewbie.",
-            "It opens in any IDE as a Maven or Gradle project, and runs without one."
+            "It opens in any IDE as a Maven or Gradle project, and also runs without an IDE."
         },
         footer = {
             "",

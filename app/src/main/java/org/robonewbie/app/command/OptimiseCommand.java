@@ -87,7 +87,7 @@ final class OptimiseCommand implements Callable<Integer> {
 
     @Option(
             names = "--plain",
-            description = "CMA-ES without negative weights and restarts, as for the library's motions.")
+            description = "CMA-ES without negative weights or restarts, as for the library's motions.")
     private boolean plain;
 
     @Option(
@@ -101,7 +101,7 @@ final class OptimiseCommand implements Callable<Integer> {
             names = "--seeds",
             paramLabel = "N",
             defaultValue = "4",
-            description = "Trials per candidate, each with other disturbances (default: 4).")
+            description = "Trials per candidate, each with different disturbances (default: 4).")
     private int trials;
 
     @Option(
@@ -118,10 +118,12 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(
             names = "--output",
             paramLabel = "FILE",
-            description = "File of the result (default: NAME-optimised.txt in this folder).")
+            description = "Result file (default: NAME-optimised.txt in this folder).")
     private Optional<Path> output = Optional.empty();
 
-    @Option(names = "--both-sides", description = "Also write the mirror image for the other side beside the output.")
+    @Option(
+            names = "--both-sides",
+            description = "Also write the mirrored motion for the other side, next to the output.")
     private boolean bothSides;
 
     @Option(names = "--resume", description = "Resume an interrupted run from its file OUTPUT.checkpoint.")
@@ -150,7 +152,7 @@ final class OptimiseCommand implements Callable<Integer> {
         }
         if (objective.isEmpty()) {
             throw new CalledWronglyException("Name the measure to optimise " + plainName()
-                    + ": --objective NAME. There are: " + Objective.labels() + ".");
+                    + ": --objective NAME. Available: " + Objective.labels() + ".");
         }
         Objective wanted = agent.objective(objective);
         Parametrization subject = subject(wanted);

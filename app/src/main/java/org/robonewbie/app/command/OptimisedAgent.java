@@ -21,8 +21,8 @@ public final class OptimisedAgent {
     @Option(
             names = "--agent",
             paramLabel = "CLASS",
-            description = "Optimise the numbers that an agent declares with number(...): the name of an example, your"
-                    + " class, or a .java file.")
+            description = "Optimise the numbers that an agent declares with number(...). The agent is the name of"
+                    + " an example, your class, or a .java file.")
     private Optional<String> program = Optional.empty();
 
     @Option(

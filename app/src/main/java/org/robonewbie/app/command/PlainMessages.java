@@ -29,7 +29,7 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
         command.getErr().println("robonewbie: " + ProgramName.here().in(messageOf(exception)));
         command.getErr()
                 .println(ProgramName.here()
-                        .in("\"" + command.getCommandSpec().qualifiedName() + " --help\" shows what can be written."));
+                        .in("\"" + command.getCommandSpec().qualifiedName() + " --help\" shows the usage."));
         return ExitCode.USAGE;
     }
 
@@ -79,7 +79,7 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     /** Explains a dash that is not a hyphen, as in options copied from a web page. */
     private static String confusable(String argument) {
         return ConfusableCharacter.firstIn(argument)
-                .map(character -> " In it " + character + ".")
+                .map(character -> " In it, " + character + ".")
                 .orElse("");
     }
 

@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
             "Run an agent many times and write a data set.",
             "Its CSV tables contain perception, commands, ground truth and game events. docs/datasets.md"
                     + " explains the columns, how to read them, and how to convert them to Parquet.",
-            "Runs use all cores, which does not change their tables. The table of runs lists failed runs with the reason.",
+            "Runs use all cores; this does not affect the tables. The table of runs lists failed runs with the reason.",
             "Repeat the command to resume an interrupted recording."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
@@ -62,7 +62,7 @@ final class RecordCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "S",
-            description = "Seed of the first run; the others have S+1, S+2, ... (1).")
+            description = "Seed of the first run; the next runs have S+1, S+2, ... (1).")
     private long seed = 1;
 
     @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of each run (60).")
@@ -146,7 +146,7 @@ final class RecordCommand implements Callable<Integer> {
         } else {
             set.endEarly();
             System.err.println(set.runs() + " of " + runs + " runs are complete and kept in the folder " + folder
-                    + ". Repeat the command to try the missing ones again.");
+                    + ". Repeat the command to retry the missing ones.");
         }
         set.failures()
                 .forEach(run -> System.err.println("run " + run.run() + ", seed " + run.seed() + ": " + run.failure()));
@@ -155,19 +155,19 @@ final class RecordCommand implements Callable<Integer> {
 
     private void check() {
         if (runs < 1) {
-            throw new CalledWronglyException("--runs " + runs + ": give a number of at least 1.");
+            throw new CalledWronglyException("--runs must be at least 1, not " + runs + ".");
         }
         if (robots < 1 || robots > MAX_ROBOTS) {
-            throw new CalledWronglyException("--robots " + robots + ": give a number from 1 to " + MAX_ROBOTS + ".");
+            throw new CalledWronglyException("--robots must be from 1 to " + MAX_ROBOTS + ", not " + robots + ".");
         }
         if (!(seconds > 0) || Double.isInfinite(seconds)) {
-            throw new CalledWronglyException("--seconds " + seconds + ": give a number greater than 0.");
+            throw new CalledWronglyException("--seconds must be greater than 0, not " + seconds + ".");
         }
         if (threads < 1) {
-            throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
+            throw new CalledWronglyException("--threads must be at least 1, not " + threads + ".");
         }
         if (runsPerFile < 1) {
-            throw new CalledWronglyException("--runs-per-file " + runsPerFile + ": give a number of at least 1.");
+            throw new CalledWronglyException("--runs-per-file must be at least 1, not " + runsPerFile + ".");
         }
     }
 

@@ -66,7 +66,7 @@ final class RunCommand implements Callable<Integer> {
         ProgramFinder finder = new ProgramFinder(classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
-                    "--rehearse " + rehearsalSeconds + " is not valid. Give a number of seconds, at least 0.");
+                    "--rehearse " + rehearsalSeconds + " is not valid. Use a number of seconds, at least 0.");
         }
         if (agentAndOptions.isEmpty()) {
             throw new CalledWronglyException("Which agent do you want to run? For example: robonewbie run "

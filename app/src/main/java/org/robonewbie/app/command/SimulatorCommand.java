@@ -111,8 +111,8 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = "--wait-for",
             paramLabel = "N",
-            description = "Start when N agents are connected. With --sync, the teams then take the sides in the order"
-                    + " of their names, regardless of which connects first.")
+            description = "Start when N agents are connected. With --sync, the teams then take sides in"
+                    + " alphabetical order, regardless of which connects first.")
     private int awaitedAgents;
 
     @Option(names = "--record", paramLabel = "FILE", description = "Write a recording of the run.")
@@ -185,7 +185,7 @@ final class SimulatorCommand implements Callable<Integer> {
         SimulatorSettings settings = settings(console);
         Simulator simulator = Simulator.start(settings, console);
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
-        console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
+        console.say("Agents can join on port " + simulator.agentPort() + ", monitors on port "
                 + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Press Control-C to stop.");
         if (!settings.world().synchronous() && !beginner) {
             startWarmUp(simulator, console);
@@ -229,7 +229,7 @@ final class SimulatorCommand implements Callable<Integer> {
     /** Converts the options to settings; the command line takes precedence over the script. */
     SimulatorSettings settings(Console console) throws UnreadableFileException {
         if (league && beginner) {
-            throw new CalledWronglyException("--league and --beginner exclude each other. Omit one of them.");
+            throw new CalledWronglyException("--league and --beginner cannot be combined. Omit one of them.");
         }
         StartScript start = script.isPresent() ? StartScript.read(script.get(), console) : StartScript.EMPTY;
         boolean isFast = fast || start.isFast();
@@ -269,7 +269,7 @@ final class SimulatorCommand implements Callable<Integer> {
             return silentAgentSeconds;
         }
         throw new CalledWronglyException("--drop-silent-after " + silentAgentSeconds
-                + " is not valid. Give a time above 0, or Infinity to wait without a limit as rcssserver3d does.");
+                + " is not valid. Use a time above 0, or Infinity to wait without a limit, as rcssserver3d does.");
     }
 
     private double monitorStep() {

@@ -117,7 +117,7 @@ final class StudioCommand implements Callable<Integer> {
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
         System.out.println(monitor.map(server -> "Watching the server at " + server + ". Press Control-C to stop.")
-                .orElse("Agents can join at port " + agentPort + ". Press Control-C to stop."));
+                .orElse("Agents can join on port " + agentPort + ". Press Control-C to stop."));
         openTelemetry(view);
         if (drawingPort.isPresent()) {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());

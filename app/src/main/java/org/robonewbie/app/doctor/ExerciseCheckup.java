@@ -19,7 +19,7 @@ final class ExerciseCheckup {
 
     private static final String SUBJECT = "An exercise";
     private static final String ADVICE =
-            "Try it by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
+            "Try it manually: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
 
     private ExerciseCheckup() {}
 

@@ -50,7 +50,7 @@ final class GraphicsCheck {
     static Finding drawn(String searchPath) {
         Optional<Path> browser = browser(searchPath);
         if (browser.isEmpty()) {
-            return Finding.notable(SUBJECT, "no browser of the Chromium family found for the check", LOOK);
+            return Finding.notable(SUBJECT, "no Chromium-based browser found for this check", LOOK);
         }
         try (TemporaryFolder folder = TemporaryFolder.create("graphics")) {
             Path page = Files.writeString(folder.path().resolve("page.html"), PAGE);

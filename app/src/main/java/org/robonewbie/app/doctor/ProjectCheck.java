@@ -40,7 +40,7 @@ final class ProjectCheck {
     }
 
     private static Finding broken(String trouble) {
-        return Finding.broken(SUBJECT, trouble, "Try it by hand: robonewbie new my-team");
+        return Finding.broken(SUBJECT, trouble, "Try it manually: robonewbie new my-team");
     }
 
     /** Runs a command and returns its error message if it fails. */

@@ -34,7 +34,7 @@ final class StartTimeCheck {
     }
 
     static Finding of(double seconds) {
-        String found = String.format(Locale.ROOT, "%.1f s, the better of %d", seconds, STARTS);
+        String found = String.format(Locale.ROOT, "%.1f s, the best of %d", seconds, STARTS);
         return seconds <= SLOW_SECONDS
                 ? Finding.well(SUBJECT, found)
                 : Finding.notable(

@@ -49,7 +49,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
     private static OpenedFile of(Path file) throws IOException {
         if (!Files.isRegularFile(file)) {
-            throw new CalledWronglyException("There is no file \"" + file + "\". Is its name right?");
+            throw new CalledWronglyException("There is no file \"" + file + "\". Check the name.");
         }
         String name = String.valueOf(file.getFileName());
         if (name.toLowerCase(Locale.ROOT).endsWith(MOTION)) {

@@ -67,7 +67,7 @@ public final class SearchConsole implements OptimisationListener {
     static String outcome(OptimisationResult result, Path file) {
         return result.isBetter()
                 ? "Written to " + file + "."
-                : "No improvement was found, so nothing is written. More --generations or another --seed may help.";
+                : "No improvement was found, so nothing was written. More --generations or another --seed may help.";
     }
 
     private String line(Generation generation) {

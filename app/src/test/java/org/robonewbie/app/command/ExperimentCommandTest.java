@@ -53,7 +53,7 @@ class ExperimentCommandTest {
         Printed printed = Printed.by("experiment", plan.toString(), "--output", broken.toString());
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
-        assertThat(printed.err()).contains("1 trials are already done, 3 are left.");
+        assertThat(printed.err()).contains("1 trials are already done; 3 are left.");
         List<String> expected = new ArrayList<>(Files.readAllLines(whole));
         assertThat(Files.readAllLines(broken).get(3)).endsWith(",1.0,2.0,3.0");
         expected.set(3, Files.readAllLines(broken).get(3));
@@ -70,7 +70,7 @@ class ExperimentCommandTest {
         Printed printed = Printed.by("experiment", plan.toString(), "--output", table.toString());
 
         assertThat(printed.exitCode()).isEqualTo(1);
-        assertThat(printed.err()).contains("Trial 1 (seed ", "two is too much", "1 trials failed, see above.");
+        assertThat(printed.err()).contains("Trial 1 (seed ", "two is too much", "1 trials failed (see above).");
         List<String> rows = Files.readAllLines(table);
         assertThat(rows).hasSize(4);
         assertThat(rows.get(0)).endsWith(",failure");
@@ -106,7 +106,7 @@ class ExperimentCommandTest {
                 folder.resolve("x.csv").toString());
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("x.csv.trials belongs to another run", "delete the file to begin again");
+        assertThat(printed.err()).contains("x.csv.trials belongs to another run", "delete the file to start over");
     }
 
     @Test

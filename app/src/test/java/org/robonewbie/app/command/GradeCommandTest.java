@@ -168,7 +168,7 @@ class GradeCommandTest {
         Printed printed = Printed.by("grade", "raise-arms", program("trials = 1 / (trials - trials);"), "--seeds", "1");
 
         assertThat(printed.exitCode()).isEqualTo(1);
-        assertThat(printed.out()).containsOnlyOnce("Hint: think() threw an exception, see the output of the program.");
+        assertThat(printed.out()).containsOnlyOnce("Hint: think() threw an exception: see the output of the program.");
         assertThat(printed.out() + printed.err()).contains("ArithmeticException");
     }
 

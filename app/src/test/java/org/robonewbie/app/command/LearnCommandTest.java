@@ -82,14 +82,14 @@ class LearnCommandTest {
     void saysWhatIsWrong() {
         assertThatThrownBy(() -> command("fly").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("There is no task \"fly\". There are: EngineFollow, EngineRun, Follow, ");
+                .hasMessageStartingWith("There is no task \"fly\". Available: EngineFollow, EngineRun, Follow, ");
         assertThatThrownBy(() -> command("WalkGait", "--pairs", "0").call()).isInstanceOf(CalledWronglyException.class);
         assertThatThrownBy(() -> command("Stand", "shipped").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("\"shipped\" cannot be overwritten. Add --evaluate EPISODES to evaluate it.");
         assertThatThrownBy(() -> command("Stand", "shipped", "--evaluate", "0").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("--evaluate 0: give a number from 1.");
+                .hasMessage("--evaluate must be at least 1, not 0.");
         assertThatThrownBy(() -> command("WalkGait", folder.resolve("no.policy").toString(), "--evaluate", "1")
                         .call())
                 .isInstanceOf(CalledWronglyException.class)

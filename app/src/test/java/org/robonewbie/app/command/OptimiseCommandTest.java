@@ -67,14 +67,14 @@ class OptimiseCommandTest {
 
         assertThatThrownBy(command::call)
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("There is no measure \"beauty\". There are: distance-walked");
+                .hasMessageStartingWith("There is no measure \"beauty\". Available: distance-walked");
     }
 
     @Test
     void asksForAnObjective() {
         assertThatThrownBy(() -> command("kick-right").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("Name the measure to optimise kick-right: --objective NAME. There are: ");
+                .hasMessageStartingWith("Name the measure to optimise kick-right: --objective NAME. Available: ");
     }
 
     @Test

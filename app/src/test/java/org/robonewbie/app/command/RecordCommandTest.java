@@ -204,11 +204,11 @@ class RecordCommandTest {
 
         assertThat(record(taken).exitCode()).isEqualTo(2);
         assertThat(record(taken).err()).contains("already contains a complete data set. Name another folder");
-        assertThat(record(folder.resolve("x"), "--runs", "0").err()).contains("--runs 0: give a number of at least 1.");
-        assertThat(record(folder.resolve("x"), "--robots", "23").err()).contains("give a number from 1 to 22");
+        assertThat(record(folder.resolve("x"), "--runs", "0").err()).contains("--runs must be at least 1, not 0.");
+        assertThat(record(folder.resolve("x"), "--robots", "23").err()).contains("must be from 1 to 22");
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
-                .contains("give a number greater than 0");
+                .contains("must be greater than 0");
         assertThat(record(folder.resolve("x"), "--format", "parquet").err()).contains("Unknown option --format.");
         assertThat(folder.resolve("x")).doesNotExist();
     }

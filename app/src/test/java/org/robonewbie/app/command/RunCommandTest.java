@@ -73,7 +73,7 @@ class RunCommandTest {
         Printed answer = Printed.by("run", "--rehearse", "-1", "Agent_BasicStructure");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("--rehearse -1.0 is not valid. Give a number of seconds, at least 0.");
+        assertThat(answer.err()).contains("--rehearse -1.0 is not valid. Use a number of seconds, at least 0.");
     }
 
     @Test

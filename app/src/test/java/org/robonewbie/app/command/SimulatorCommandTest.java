@@ -52,7 +52,7 @@ class SimulatorCommandTest {
     void bothProfilesTogetherAreRefused() {
         assertThatThrownBy(() -> settings("--beginner", "--league"))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("exclude each other");
+                .hasMessageContaining("cannot be combined");
     }
 
     @Test
@@ -145,9 +145,9 @@ class SimulatorCommandTest {
     @ParameterizedTest
     @CsvSource({
         "RuleHalfTime=60, 'line 3: \"RuleHalfTime\" is already set in line 1. Delete one of the two lines.'",
-        "'BeamNoiseXY\u00A0= 0', 'line 3: In \"BeamNoiseXY\u00A0= 0\" character 12 is a no-break space (U+00A0)'",
-        "'BeamNoiseXY = \u22121', 'line 3: In \"BeamNoiseXY = \u22121\" character 15 is the dash'",
-        "'B\u0435amNoiseXY = 1', 'line 3: In \"B\u0435amNoiseXY = 1\" character 2 is the Cyrillic letter'",
+        "'BeamNoiseXY\u00A0= 0', 'line 3: In \"BeamNoiseXY\u00A0= 0\", character 12 is a no-break space (U+00A0)'",
+        "'BeamNoiseXY = \u22121', 'line 3: In \"BeamNoiseXY = \u22121\", character 15 is the dash'",
+        "'B\u0435amNoiseXY = 1', 'line 3: In \"B\u0435amNoiseXY = 1\", character 2 is the Cyrillic letter'",
         "BeamNoiseXY, 'line 3: Setting \"BeamNoiseXY\" has no value.'",
         "BeamNoiseXY = much, 'line 3: Value \"much\" of BeamNoiseXY is not a number.'"
     })
@@ -306,7 +306,7 @@ class SimulatorCommandTest {
                 Printed.by("simulator", "--agent-port", "0", "--monitor-port", "0", "--fast", "--seconds", "1");
 
         assertThat(answer.exitCode()).isZero();
-        assertThat(answer.err()).contains("Agents can join at port ");
+        assertThat(answer.err()).contains("Agents can join on port ");
     }
 
     private static SimulatorSettings settings(String... options) throws IOException {

@@ -169,7 +169,7 @@ class CheckupTest {
     void slowStartIsReported() {
         assertThat(StartTimeCheck.of(1.2).verdict()).isEqualTo(Verdict.WELL);
         assertThat(StartTimeCheck.of(9).advice()).contains("virus scanner");
-        assertThat(StartTimeCheck.measured().found()).contains(" s, the better of 2");
+        assertThat(StartTimeCheck.measured().found()).contains(" s, the best of 2");
     }
 
     @Test

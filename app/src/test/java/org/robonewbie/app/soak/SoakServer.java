@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 /** A server in a process of its own, whose memory can be looked at. */
 final class SoakServer implements AutoCloseable {
 
-    private static final Pattern PORTS = Pattern.compile("Agents can join at port (\\d+), monitors at port (\\d+)");
+    private static final Pattern PORTS = Pattern.compile("Agents can join on port (\\d+), monitors on port (\\d+)");
     private static final Pattern USED = Pattern.compile("used (\\d+)K");
     private static final int KILOBYTES_PER_MEGABYTE = 1024;
 

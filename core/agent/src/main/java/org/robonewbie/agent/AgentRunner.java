@@ -174,7 +174,7 @@ final class AgentRunner {
         double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
         return seconds < SECONDS_OF_THE_START
                 ? "--seconds " + seconds
-                        + " ended before the robot was in the game; joining takes about 0.3 s. Give at least 1."
+                        + " ended before the robot was in the game; joining takes about 0.3 s. Use at least 1."
                 : "The simulator did not accept the robot: " + lost.getMessage();
     }
 

@@ -7,9 +7,9 @@ import org.robonewbie.nao.text.Spelling;
 
 /** Command-line option of an agent: name, value and help text. */
 enum Option {
-    HOST("HOST", "join the server on this computer", Values.TEXT),
-    PORT("N", "its port, default 3100", Values.wholeNumber(1, 65535)),
-    TEAM("NAME", "team name, without blanks or brackets", Values.NAME),
+    HOST("HOST", "join the server on the computer HOST", Values.TEXT),
+    PORT("N", "port of that server, default 3100", Values.wholeNumber(1, 65535)),
+    TEAM("NAME", "team name, without spaces or brackets", Values.NAME),
     NUMBER(
             "N",
             "player number, 1 to 11, each with its own starting pose; 0 takes any free number",
@@ -17,10 +17,10 @@ enum Option {
     POSE("X,Y,DEGREES", "starting pose: metres, own half has x <= 0; 0 degrees faces the opponents' goal", Values.POSE),
     TYPE("N", "robot type, 0 to 4", Values.wholeNumber(0, 4)),
     SEED("N", "start an embedded simulator with this random seed", Values.LONG),
-    FAST("", "start an embedded simulator that runs as fast as it can", Values.FLAG),
+    FAST("", "start an embedded simulator that runs as fast as possible", Values.FLAG),
     SECONDS("T", "end the run after T simulated seconds", Values.POSITIVE),
-    HEADLESS("", "no studio", Values.FLAG),
-    NO_BROWSER("", "studio, but do not open a browser", Values.FLAG),
+    HEADLESS("", "do not start the studio", Values.FLAG),
+    NO_BROWSER("", "start the studio without opening a browser", Values.FLAG),
     TRUTH("", "add the true positions of robot and ball to camera pictures (embedded simulator)", Values.FLAG),
     REPORT("FILE", "write a report as JSON (embedded simulator)", Values.TEXT),
     RECORD("FILE", "record the run (embedded simulator)", Values.TEXT),

@@ -65,9 +65,9 @@ final class StartDialogue {
             answer(Optional.empty());
         }
         throw new StartUpException("The simulator refused number " + options.number() + " of team "
-                + options.team() + ": choose a number that is free (--number 0 takes any), or the name of a team that"
-                + " plays already (--team). A league's team has at most 7 robots of one type: choose another one"
-                + " (--type) for the others.");
+                + options.team() + ". Choose a free number (--number 0 takes any), or a team that is already"
+                + " playing (--team). A league team has at most 7 robots of one type: choose another type (--type)"
+                + " for the others.");
     }
 
     private void receive() throws IOException {

@@ -151,7 +151,8 @@ public final class TunableNumbers {
                     "sliders",
                     () -> "Sliders cannot change fields, since "
                             + robot.getClass().getSimpleName()
-                            + "() cannot create a second instance. Call number(...) in think(), where it always has the value of its slider.");
+                            + "() cannot create a second instance. Call number(...) in think(), where it always"
+                            + " returns the value of its slider.");
         }
     }
 

@@ -16,7 +16,7 @@ record Values(String expected, Predicate<String> condition) {
     static final Values TEXT = new Values("a text", value -> !value.isBlank());
 
     static final Values NAME = new Values(
-            "a name of letters A to Z, digits and signs without blanks, brackets and quotes",
+            "a name of letters A to Z, digits and symbols, without spaces, brackets or quotes",
             value -> !value.isEmpty() && value.chars().allMatch(c -> c > ' ' && c <= '~' && "()\"';".indexOf(c) < 0));
 
     static final Values FLAG = new Values("true or false", value -> value.equals("true") || value.equals("false"));

@@ -113,8 +113,8 @@ class AgentTest {
         assertThat(printedLines())
                 .singleElement()
                 .asString()
-                .contains("Joint angle -10.0 with speed -20.0 for LEFT_KNEE_PITCH is ignored. Give a speed above 0; the"
-                        + " target angle determines the direction.");
+                .contains("Joint angle -10.0 with speed -20.0 for LEFT_KNEE_PITCH is ignored. Use a speed above 0;"
+                        + " the target angle determines the direction.");
     }
 
     @Test
@@ -169,7 +169,7 @@ class AgentTest {
                 .singleElement()
                 .asString()
                 .matches(
-                        "1\\.00 s: %d is for whole numbers; %\\.1f for 0\\.0, in \"angle %d\"\\. \\(Careless\\.java:\\d+\\)");
+                        "1\\.00 s: %d is for whole numbers; use %\\.1f for 0\\.0, in \"angle %d\"\\. \\(Careless\\.java:\\d+\\)");
     }
 
     @Test
@@ -231,8 +231,8 @@ class AgentTest {
         agent.watch(slowness -> {}).close();
 
         assertThat(printedLines())
-                .containsExactly("0.00 s: Agent has no think(); the robot does nothing."
-                        + " Write what it does into: protected void think() { ... }");
+                .containsExactly("0.00 s: Agent has no think(); the robot does nothing. Put its behaviour in:"
+                        + " protected void think() { ... }");
     }
 
     @Test
@@ -273,7 +273,8 @@ class AgentTest {
         List<EffectorCommand> answer = agent.respond(Messages.standing().build());
 
         assertThat(answer).containsExactly(new Synchronise());
-        assertThat(printedLines()).containsExactly("1.00 s: act() did not call super.act(); the framework does it.");
+        assertThat(printedLines())
+                .containsExactly("1.00 s: act() did not call super.act(); the framework did it instead.");
     }
 
     @Test
@@ -297,7 +298,7 @@ class AgentTest {
 
         assertThat(times).containsExactly(0.0, 2.0, 3.0);
         assertThat(printedLines())
-                .containsExactly("1.00 s: sense() did not call super.sense(); the framework does it.");
+                .containsExactly("1.00 s: sense() did not call super.sense(); the framework did it instead.");
     }
 
     @Test

@@ -65,9 +65,9 @@ class StartDialogueTest {
 
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
-                    .hasMessage("The simulator refused number 4 of team Blue: choose a number that is free"
-                            + " (--number 0 takes any), or the name of a team that plays already (--team). A league's team"
-                            + " has at most 7 robots of one type: choose another one (--type) for the others.");
+                    .hasMessage("The simulator refused number 4 of team Blue. Choose a free number (--number 0"
+                            + " takes any), or a team that is already playing (--team). A league team has at most 7"
+                            + " robots of one type: choose another type (--type) for the others.");
         }
     }
 

@@ -20,7 +20,7 @@ final class JointSpeeds {
         }
         if (degreesPerSecond.length != Joint.COUNT) {
             throw new IllegalArgumentException(degreesPerSecond.length + " joint speeds for a robot with " + Joint.COUNT
-                    + " joints. Give one speed for each Joint in its order.");
+                    + " joints. Pass one speed for each Joint, in the order of the joints.");
         }
         return degreesPerSecond.clone();
     }

@@ -30,7 +30,7 @@ public record Scene(
     public Scene {
         robots = List.copyOf(robots);
         if (robots.isEmpty()) {
-            throw new IllegalArgumentException("The scene has no robots. Give at least one RobotStart.");
+            throw new IllegalArgumentException("The scene has no robots. Add at least one RobotStart.");
         }
     }
 

@@ -128,7 +128,7 @@ public final class Trial implements AutoCloseable {
     private static Iterator<Controller> each(Scene scene, Controller... controllers) {
         if (controllers.length != scene.robots().size()) {
             throw new IllegalArgumentException(controllers.length + " controllers for "
-                    + scene.robots().size() + " robots. Give one controller for each robot of the scene.");
+                    + scene.robots().size() + " robots. Pass one controller for each robot of the scene.");
         }
         return List.of(controllers).iterator();
     }

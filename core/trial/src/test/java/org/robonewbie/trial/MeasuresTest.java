@@ -141,7 +141,7 @@ class MeasuresTest {
         assertThatThrownBy(() -> Measures.named("speed", getClass().getClassLoader()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith(
-                        "There is no measure \"speed\". Did you mean walk-speed? There are: distance-walked, energy,"
+                        "There is no measure \"speed\". Did you mean walk-speed? Available: distance-walked, energy,"
                                 + " get-up-time, kick-distance, stability, standing-time, time-to-score, walk-speed.");
     }
 

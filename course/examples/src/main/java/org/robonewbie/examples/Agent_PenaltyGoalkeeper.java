@@ -75,7 +75,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
             returnToPlace(ball);
         } else {
             double crossing = crossing(ball);
-            log.info("ball crosses %.2f m left of me with %.1f m/s", crossing, ballVelocity.length());
+            log.info("ball crosses %.2f m left of me at %.1f m/s", crossing, ballVelocity.length());
             motions.start(crossing > 0 ? "dive-left" : "dive-right");
             shotPictures = 0;
         }

@@ -63,7 +63,7 @@ final class ArmBySideTask implements Task {
         int none = right(0);
         String finding = String.format(
                 Locale.ROOT,
-                "right %d of 2 times with the robot on the left, %d of 2 on the right, %d of 2 out of sight",
+                "correct %d of 2 times with the robot on the left, %d of 2 on the right, %d of 2 out of sight",
                 left,
                 right,
                 none);

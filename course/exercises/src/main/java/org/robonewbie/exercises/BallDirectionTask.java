@@ -100,12 +100,12 @@ final class BallDirectionTask implements Task {
         double error = sumOfErrors / Math.max(1, words);
         String finding = words == 0
                 ? "said nothing"
-                : String.format(Locale.ROOT, "said it %d times, mean error %.2f°", words, error);
+                : String.format(Locale.ROOT, "said the direction %d times, mean error %.2f°", words, error);
         if (words < MIN_WORDS) {
             return Score.failed(
                     0,
                     finding,
-                    "Say it at least 40 times while the ball is visible, for example with"
+                    "Say the direction at least 40 times while the ball is visible, for example with"
                             + " nao.say(\"ball:-12.3\").");
         }
         if (highYaw - lowYaw < YAW_RANGE || highPitch - lowPitch < PITCH_RANGE) {

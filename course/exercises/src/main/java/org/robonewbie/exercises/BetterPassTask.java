@@ -132,8 +132,8 @@ final class BetterPassTask implements Task {
                         first || second ? 3 : 0,
                         finding,
                         "For each team mate, compute how close an opponent is to the line from the ball to it:"
-                                + " Translation2d.distanceToSegment. Kick.kick gets"
-                                + " behind the ball by itself; give it the same direction until the ball rolls.");
+                                + " Translation2d.distanceToSegment. Kick.kick walks behind the ball automatically;"
+                                + " pass it the same direction until the ball rolls.");
     }
 
     private String describe(int number) {

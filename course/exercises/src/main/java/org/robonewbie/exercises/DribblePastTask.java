@@ -64,7 +64,7 @@ final class DribblePastTask implements Task {
     public Score score() {
         String finding = String.format(
                 Locale.ROOT,
-                "brought the ball %.2f of %.2f m ahead in %.0f s, %.2f m away from it at most",
+                "moved the ball %.2f of %.2f m forward in %.0f s, never more than %.2f m from it",
                 Math.max(0, x - START_X),
                 LINE_X - START_X,
                 seconds,

@@ -77,8 +77,8 @@ final class GetUpTask implements Task {
             return Score.failed(
                     stood ? 3 : 0,
                     finding,
-                    "Find out with nao.getBodyPosition() how the robot is lying and say it: nao.say(\"back\") or"
-                            + " nao.say(\"front\").");
+                    "Use nao.getBodyPosition() to find out whether the robot is on its back or its front, and"
+                            + " announce it: nao.say(\"back\") or nao.say(\"front\").");
         }
         if (!stood) {
             return Score.failed(4, finding, "Each lying position needs its own motion.");

@@ -55,7 +55,11 @@ final class GoToTheBallTask implements Task {
     @Override
     public Score score() {
         String finding = String.format(
-                Locale.ROOT, "nearest %.2f m, ball moved by %.3f m%s", nearest, moved, fallen ? ", and a fall" : "");
+                Locale.ROOT,
+                "came within %.2f m, ball moved by %.3f m%s",
+                nearest,
+                moved,
+                fallen ? ", and a fall" : "");
         if (moved > MOVED_METRES) {
             return Score.failed(
                     3,

@@ -115,7 +115,9 @@ final class KickTask implements Task {
         }
         return metres >= FAR_METRES
                 ? Score.passed(
-                        (int) Math.round(7 + metres - FAR_METRES), finding, metres < 5 ? "10 points are for 5 m." : "")
+                        (int) Math.round(7 + metres - FAR_METRES),
+                        finding,
+                        metres < 5 ? "A kick of 5 m earns 10" + " points." : "")
                 : Score.failed(
                         3 * metres,
                         finding,

@@ -73,7 +73,7 @@ final class PassingTask implements Task {
         }
         return came < CAME_METRES
                 ? ", number 2 did not come to meet it"
-                : String.format(Locale.ROOT, ", number 2 came as near as %.2f m", nearest);
+                : String.format(Locale.ROOT, ", number 2 came within %.2f m", nearest);
     }
 
     @Override
@@ -94,7 +94,8 @@ final class PassingTask implements Task {
         return Score.failed(
                 fair && passed ? 3 : 1,
                 finding,
-                "Both robots run your program: tell them apart by nao.getNumber(). Number 1 plays \"pass-left\" and stays where it is; number 2"
+                "Both robots run your program: use nao.getNumber() to tell them apart. Number 1 plays \"pass-left\""
+                        + " and stays where it is; number 2"
                         + " walks to the ball as soon as it rolls.");
     }
 }

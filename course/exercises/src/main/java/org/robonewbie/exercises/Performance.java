@@ -22,7 +22,8 @@ public final class Performance {
     private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
 
     private static final String FIX_STEP =
-            "think() threw an exception, see the output of the program. Fix that first; the robot did not do what you intended.";
+            "think() threw an exception: see the output of the program. Fix that first; the robot did not do what"
+                    + " you intended.";
 
     private Performance() {}
 

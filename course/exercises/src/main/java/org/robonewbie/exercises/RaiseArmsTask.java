@@ -69,7 +69,7 @@ final class RaiseArmsTask implements Task {
 
     @Override
     public Score score() {
-        String finding = "left arm " + left + ", right arm " + right + " (2° are allowed)";
+        String finding = "left arm " + left + ", right arm " + right + " (tolerance 2°)";
         return left.isRight() && right.isRight()
                 ? Score.passed(finding)
                 : Score.failed(

@@ -105,6 +105,6 @@ final class ScoreAGoalTask implements Task {
         return Score.passed(
                 (int) Math.floor(10 - Math.max(0, Math.ceil((seconds - QUICK_SECONDS) / SECONDS_PER_POINT))),
                 String.format(Locale.ROOT, "goal after %.1f s", seconds),
-                seconds > QUICK_SECONDS ? "10 points are for 45 s." : "");
+                seconds > QUICK_SECONDS ? "A goal within 45 s earns 10 points." : "");
     }
 }

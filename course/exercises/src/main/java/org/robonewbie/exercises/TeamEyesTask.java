@@ -89,7 +89,7 @@ final class TeamEyesTask implements Task {
         }
         String finding = String.format(
                 Locale.ROOT,
-                "right %d of %d times%s",
+                "correct %d of %d times%s",
                 right,
                 PHASES,
                 looked ? ", but number 1 turned or looked around" : "");

@@ -65,7 +65,7 @@ final class TwoBehavioursTask implements Task {
         boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
         String finding = String.format(
                 Locale.ROOT,
-                "head at the ball for %.0f %% of the time, arm from %.0f° to %.0f°, %s",
+                "head turned to the ball for %.0f %% of the time, arm from %.0f° to %.0f°, %s",
                 share,
                 lowest,
                 highest,

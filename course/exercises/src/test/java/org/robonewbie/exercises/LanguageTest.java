@@ -101,7 +101,7 @@ class LanguageTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "left arm 3.1° too low and still moving, right arm 0.2° off (2° are allowed)"
+                "left arm 3.1° too low and still moving, right arm 0.2° off (tolerance 2°)"
                         + "|linker Arm 3.1° zu tief und noch in Bewegung, rechter Arm 0.2° daneben (2° sind erlaubt)",
                 "lay on its back and said nothing; stood after 4.2 s, but did not say \"up\""
                         + "|lag auf dem Rücken und sagte nichts; stand nach 4.2 s, sagte aber nicht \"up\"",
@@ -111,7 +111,7 @@ class LanguageTest {
                         + "|hielt den ersten Schuss; ein Tor durch den zweiten, 0.55 m links",
                 "saved the shots 0.55 m to the left and 0.61 m to the right of the middle"
                         + "|hielt die Schüsse 0.55 m links und 0.61 m rechts der Mitte",
-                "head at the ball for 90 % of the time, arm from -31° to 32°, once in 2.00 s"
+                "head turned to the ball for 90 % of the time, arm from -31° to 32°, once in 2.00 s"
                         + "|Kopf in 90 % der Zeit beim Ball, Arm von -31° bis 32°, einmal in 2.00 s",
                 "The program ended with java.lang.ArithmeticException: / by zero in Kick.java:12."
                         + "|Das Programm endete mit java.lang.ArithmeticException: / by zero in Kick.java:12.",

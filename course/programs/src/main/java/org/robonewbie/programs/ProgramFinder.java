@@ -155,6 +155,6 @@ public final class ProgramFinder {
         return new CalledWronglyException("""
                 There is no agent "%s".%s
                 %s
-                Run your own agent by its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
+                To run your own agent, name its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
     }
 }

@@ -76,7 +76,7 @@ class JavaSourceTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"Main.java, cannot be read: line 1 ", "None.java, does not exist. Is its name right?"})
+    @CsvSource({"Main.java, cannot be read: line 1 ", "None.java, does not exist. Check the name."})
     void programThatCannotBeReadIsNamed(String name, String problem) throws IOException {
         Files.write(folder.resolve("Main.java"), new byte[] {'c', 0, (byte) 0x81});
         Path file = folder.resolve(name);

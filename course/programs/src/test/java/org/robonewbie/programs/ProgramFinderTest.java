@@ -69,7 +69,7 @@ class ProgramFinderTest {
         assertThatThrownBy(() -> finder().find("Nobody"))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("There is no agent \"Nobody\".")
-                .hasMessageContaining("Run your own agent by its file, for example: robonewbie run MyAgent.java");
+                .hasMessageContaining("To run your own agent, name its file, for example: robonewbie run MyAgent.java");
         assertThatThrownBy(() -> finder().ofClass("Nobody")).isInstanceOf(CalledWronglyException.class);
     }
 

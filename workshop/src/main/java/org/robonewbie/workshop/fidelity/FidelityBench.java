@@ -81,7 +81,7 @@ public final class FidelityBench {
     public static Recording read(Path file) throws IOException {
         String name = String.valueOf(file.getFileName());
         if (!ReferenceReader.isRecording(name)) {
-            throw new IOException(file + " is not a recording. Give a file whose name ends in .jsonl or .jsonl.gz.");
+            throw new IOException(file + " is not a recording. Choose a file whose name ends in .jsonl or .jsonl.gz.");
         }
         try (InputStream content = Files.newInputStream(file)) {
             return ReferenceReader.read(name, content);
@@ -113,7 +113,7 @@ public final class FidelityBench {
     private static List<Path> recordingsIn(Path directory) throws IOException {
         if (!Files.isDirectory(directory)) {
             throw new NotDirectoryException(
-                    directory + " is not a directory. Give one that contains recordings (*.jsonl or *.jsonl.gz).");
+                    directory + " is not a directory. Choose one that contains recordings (*.jsonl or *.jsonl.gz).");
         }
         try (Stream<Path> files = Files.list(directory)) {
             List<Path> recordings = files.filter(file ->

@@ -23,8 +23,8 @@ import org.robonewbie.trial.Scene;
 record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening) {
 
     private static final String ON_LEAGUE_PITCH =
-            "an agent on its own simulator with noise and the league's pitch, in the stance, reached from a posture"
-                    + " beside it; pushed by a hand each second";
+            "an agent on its own simulator with noise and the league's pitch, in the stance, reached from a nearby"
+                    + " posture; pushed every second";
 
     private static final Pose2d FAR_END = new Pose2d(-14, 0, 0);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
@@ -32,13 +32,13 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
 
     /** World without a server, in which pushes disturb the robot. */
     static final CheckStart BARE = new CheckStart(
-            "", "stance, reached from a posture beside it", seed -> MotionTrial.inStance(seed, PUSH_NEWTONS));
+            "", "stance, reached from a nearby posture", seed -> MotionTrial.inStance(seed, PUSH_NEWTONS));
 
     /** Returns an environment without a server, with the ball in front of the feet. */
     static CheckStart kicker(RobotType type) {
         return new CheckStart(
                 suffix(type),
-                "stance, ball up to 1 cm beside the place that the file names, along each axis",
+                "stance, ball up to 1 cm off the position given in the file, along each axis",
                 seed -> MotionTrial.inStance(type, WalkStyle.STANDARD, seed, 2));
     }
 

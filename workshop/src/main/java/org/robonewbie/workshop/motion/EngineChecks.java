@@ -37,7 +37,7 @@ final class EngineChecks {
     private static MotionCheck way(
             CheckStart start, String name, WalkVelocity velocity, double metres, ToDoubleFunction<MotionTrial> way) {
         String rule = "walks " + Math.round(metres) + " m, stops, ends in the stance";
-        return start.check(name, rule, "m/s over the way", (robot, seed) -> {
+        return start.check(name, rule, "m/s on average", (robot, seed) -> {
             robot.walk(() -> velocity, () -> way.applyAsDouble(robot) < metres);
             double speed = way.applyAsDouble(robot) / robot.seconds();
             return new Outcome(robot.stopWalking() && robot.endsInStance() && speed > 0, speed);
@@ -45,7 +45,7 @@ final class EngineChecks {
     }
 
     private static MotionCheck straight() {
-        String rule = "turns by at most 10° on 5 m";
+        String rule = "turns by at most 10° over 5 m";
         return CheckStart.BARE.check("walk engine, straight", rule, "degrees to either side", (robot, seed) -> {
             boolean up = robot.walk(() -> AHEAD, () -> robot.forward() < 5);
             double turn = Math.abs(robot.turnedDegrees());
@@ -64,8 +64,8 @@ final class EngineChecks {
     private static MotionCheck erratic() {
         return new MotionCheck(
                 "walk engine, erratic",
-                "stance, reached from a posture beside it",
-                "stands after 30 s of velocities at random, a new one every 0.7 s on average",
+                "stance, reached from a nearby posture",
+                "stands after 30 s of random velocities, a new one every 0.7 s on average",
                 "s on its feet",
                 seed -> {
                     try (MotionTrial robot = MotionTrial.inStance(seed, 3)) {

@@ -38,7 +38,7 @@ final class FallChecks {
     }
 
     private static MotionCheck rollOver() {
-        String start = "lying on front after a fall, arms anywhere";
+        String start = "lying on front after a fall, arms in any position";
         return check(
                 "roll-over-to-back",
                 start,
@@ -61,7 +61,7 @@ final class FallChecks {
     private static MotionCheck dive(String name, int side) {
         return new MotionCheck(
                 name,
-                "stance, 0.1 s after a shot at 2 m/s from 2 m away, to pass up to 0.6 m aside",
+                "stance, 0.1 s after a shot at 2 m/s from 2 m away, passing up to 0.6 m to the side",
                 "the ball does not get past the robot",
                 "m aside of the ball's way",
                 seed -> dive(ShippedMotions.motion(name), side, seed));

@@ -32,7 +32,7 @@ record GetUpChecks(RobotType type) {
     private MotionCheck getUp(String name, FallenPose lying) {
         return new MotionCheck(
                         name + CheckStart.suffix(type),
-                        lying.words() + " after a fall, arms anywhere",
+                        lying.words() + " after a fall, arms in any position",
                         "stands in the stance within 10 s",
                         "s",
                         seed -> getUp(name, lying, seed))

@@ -60,7 +60,7 @@ final class KickChecks {
     }
 
     private static MotionCheck straight(CheckStart start, String name) {
-        String rule = "the ball rolls at least 8 m, in a direction at most 5° beside the robot's";
+        String rule = "the ball rolls at least 8 m, within 5° of the robot's heading";
         return start.check(name + ", straight", rule, "degrees to either side", (robot, seed) -> {
             Kick kick = kick(robot, ShippedMotions.file(name), seed);
             double degrees = Math.abs(kick.degreesAside());

@@ -30,7 +30,7 @@ public final class MeasuredHeaders {
      */
     public static void main(String[] arguments) throws IOException {
         if (arguments.length != 1) {
-            System.err.println("Give the directory of the motion files.");
+            System.err.println("Pass the directory of the motion files.");
             System.exit(2);
         }
         MotionMeasurement measurement = new MotionMeasurement(SEEDS, 1, "", RobotType.TYPE_0, System.out);

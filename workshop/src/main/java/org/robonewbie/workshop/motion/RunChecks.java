@@ -36,14 +36,14 @@ final class RunChecks {
 
     private MotionCheck far() {
         String rule = gait.verb + " 20 m without a fall";
-        return start().check("learned " + gait.policy + " 20 m", rule, "m/s over the way", (robot, seed) -> {
+        return start().check("learned " + gait.policy + " 20 m", rule, "m/s on average", (robot, seed) -> {
             boolean up = runFar(robot);
             return new Outcome(up, robot.forward() / robot.seconds());
         });
     }
 
     private MotionCheck drift() {
-        String rule = "the way's direction is at most " + gait.mostDrift + "° beside the first heading";
+        String rule = "the walked direction is within " + gait.mostDrift + "° of the initial heading";
         String name = "learned " + gait.policy + " 20 m, drift";
         return start().check(name, rule, "degrees to either side", (robot, seed) -> {
             boolean up = runFar(robot);

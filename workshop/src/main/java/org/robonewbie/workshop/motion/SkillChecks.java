@@ -91,7 +91,7 @@ final class SkillChecks {
 
     private MotionCheck far() {
         String rule = "walks 20 m without a fall, stops, ends in the stance";
-        return start().check(walk + " 20 m", rule, "m/s over the way", (robot, seed) -> {
+        return start().check(walk + " 20 m", rule, "m/s on average", (robot, seed) -> {
             walkFar(robot);
             double speed = robot.forward() / robot.seconds();
             return new Outcome(robot.stopWalking() && robot.endsInStance() && speed > 0, speed);
@@ -99,7 +99,7 @@ final class SkillChecks {
     }
 
     private MotionCheck drift() {
-        String rule = "the way's direction is at most 10° beside the first heading";
+        String rule = "the walked direction is within 10° of the initial heading";
         return start().check(walk + " 20 m, drift", rule, "degrees to either side", (robot, seed) -> {
             boolean up = walkFar(robot);
             double degrees = Math.abs(Math.toDegrees(Math.atan2(robot.left(), robot.forward())));
@@ -154,7 +154,8 @@ final class SkillChecks {
             String what, String rule, String unit, double most, ToDoubleFunction<LocalisationTrial> value) {
         return new MotionCheck(
                 "self-localisation, " + what + CheckStart.suffix(type),
-                "an agent on its own simulator with noise, anywhere on the league's pitch, walks about for 60 s and is thrown over twice",
+                "an agent on its own simulator with noise, anywhere on the league's pitch, walks around for 60 s"
+                        + " and is knocked over twice",
                 rule,
                 unit,
                 seed -> {

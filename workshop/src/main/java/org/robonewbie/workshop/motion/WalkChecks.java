@@ -41,7 +41,7 @@ final class WalkChecks {
     }
 
     private static MotionCheck straight(String name) {
-        String rule = "turns by at most 10° on 5 m";
+        String rule = "turns by at most 10° over 5 m";
         return CheckStart.BARE.check(name + ", straight", rule, "degrees to either side", (robot, seed) -> {
             walkFiveMetres(robot, name);
             double turn = Math.abs(robot.turnedDegrees());

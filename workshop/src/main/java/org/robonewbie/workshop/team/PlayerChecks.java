@@ -71,13 +71,13 @@ public final class PlayerChecks {
         return List.of(
                 dribble(
                         "dribble 5 m",
-                        "the ball gets 5 m ahead within 10 s",
+                        "the ball advances 5 m within 10 s",
                         "s",
                         DribbleTrial::seconds,
                         DribbleTrial::isInTime),
                 dribble(
                         "dribble 5 m, close",
-                        "it does, and the ball is never further away than 0.5 m",
+                        "it does, and the ball is never more than 0.5 m away",
                         "m, the farthest",
                         DribbleTrial::farthest,
                         DribbleTrial::isClose));
@@ -95,14 +95,14 @@ public final class PlayerChecks {
                 kick(
                         name + " out of the walk, soon",
                         kind,
-                        "it does, 2 s after the ball was within 0.3 m it is faster than 1 m/s",
+                        "it does, and 2 s after coming within 0.3 m, the ball is faster than 1 m/s",
                         "s",
                         Kicked::seconds,
                         kicked -> kicked.metres >= metres && kicked.seconds <= KICK_SECONDS),
                 kick(
                         name + " out of the walk, straight",
                         kind,
-                        "it does, in a direction at most 5° beside the one that was wanted",
+                        "it does, within 5° of the intended direction",
                         "degrees to either side",
                         Kicked::degrees,
                         kicked -> kicked.metres >= metres && kicked.degrees <= KICK_DEGREES));
@@ -149,7 +149,7 @@ public final class PlayerChecks {
         return new MotionCheck(
                 name + (type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal()),
                 "a player of the example team on its own simulator with noise and the league's pitch, in the stance, ball "
-                        + ballAhead + " m ahead and up to 10 cm aside",
+                        + ballAhead + " m ahead and up to 10 cm to the side",
                 rule,
                 unit,
                 seed -> {

@@ -55,7 +55,7 @@ public final class TeamMeasurement {
     public void run(int players, String opponent) {
         IntFunction<Agent> others = Optional.ofNullable(OPPONENTS.get(opponent))
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "--against " + opponent + ": write Agent_BetterSoccer or Agent_Team."));
+                        "--against must be Agent_BetterSoccer or Agent_Team, not " + opponent + "."));
         List<Result> results = new ArrayList<>();
         for (long seed = firstSeed; seed < firstSeed + halves; seed++) {
             Result result = quietly(players, seed, others);
@@ -84,7 +84,8 @@ public final class TeamMeasurement {
                 results.stream().filter(each -> each.goals() == each.against()).count();
         return String.format(
                 Locale.ROOT,
-                "in all: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f, of the others %.1f; kicks %.1f; passes %.1f, reached %.1f",
+                "total: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f, of the others"
+                        + " %.1f; kicks %.1f; passes %.1f, reached %.1f",
                 wins,
                 draws,
                 results.size() - wins - draws,

@@ -87,7 +87,7 @@ class FidelityBenchTest {
 
         assertThatThrownBy(() -> FidelityBench.run(missing, AgentRoute.NONE))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("missing is not a directory. Give one that contains recordings");
+                .hasMessageContaining("missing is not a directory. Choose one that contains recordings");
     }
 
     @Test

@@ -23,7 +23,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /** Validated commands of the current cycle. */
 public final class Commands {
 
-    private static final String SPEED_ADVICE = "Give a speed above 0; the target angle determines the direction.";
+    private static final String SPEED_ADVICE = "Use a speed above 0; the target angle determines the direction.";
 
     private final SensorState sensors;
     private final Motors motors;
@@ -144,7 +144,7 @@ public final class Commands {
             diagnostics.report(
                     "beam not allowed",
                     () -> "The referee does not allow a beam in play mode " + sensors.playMode()
-                            + ", only before a kick-off and after a goal: ask isBeamAllowed() first.");
+                            + ", only before a kick-off and after a goal: call isBeamAllowed() first.");
         }
         if (!Double.isFinite(x + y + degrees)) {
             diagnostics.report(

@@ -131,10 +131,11 @@ public final class Session implements AutoCloseable {
             senseOmitted = true;
             sense();
             robot.diagnostics()
-                    .reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
+                    .reportAt("", "sense", () -> "sense() did not call super.sense(); the framework did it instead.");
         }
         if (!answered) {
-            robot.diagnostics().reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
+            robot.diagnostics()
+                    .reportAt("", "act", () -> "act() did not call super.act(); the framework did it instead.");
         }
         complete();
     }

@@ -71,7 +71,8 @@ final class PatternAdvice {
         }
         int position = position(specifier.group(INDEX));
         if (position < 0 || position >= values.length) {
-            return "There is no value for " + specifier.group() + ": give one more, or leave it out; " + PER_CENT;
+            return "There is no value for " + specifier.group() + ": pass one more value, or remove the"
+                    + " placeholder; " + PER_CENT;
         }
         return mismatch(specifier, conversion, values[position]);
     }
@@ -89,14 +90,14 @@ final class PatternAdvice {
         boolean precise = specifier.group(PRECISION) != null;
         String better = whole ? "%d" : real ? "%.1f" : "%s";
         if (WHOLE.contains(conversion) && value != null && (!whole || precise)) {
-            return specifier.group() + (whole ? " has no digits after the point" : " is for whole numbers") + "; "
+            return specifier.group() + (whole ? " has no digits after the point" : " is for whole numbers") + "; use "
                     + better + " for " + quotedValue(value);
         }
         if (REAL.contains(conversion) && value != null && !real) {
-            return specifier.group() + " is for decimal numbers; " + better + " for " + quotedValue(value);
+            return specifier.group() + " is for decimal numbers; use " + better + " for " + quotedValue(value);
         }
         if (conversion.equalsIgnoreCase("c") && value != null && !(value instanceof Character)) {
-            return specifier.group() + " is for one letter; " + better + " for " + quotedValue(value);
+            return specifier.group() + " is for one letter; use " + better + " for " + quotedValue(value);
         }
         return "";
     }

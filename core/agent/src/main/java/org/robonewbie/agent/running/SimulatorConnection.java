@@ -21,7 +21,7 @@ public final class SimulatorConnection implements AutoCloseable {
 
     private static final String ALREADY_RUNNING =
             ", which is already running. Watch it in the studio at the address in the"
-                    + " terminal where it was started. For a fresh start stop it first, or add --seed 1.";
+                    + " terminal where it was started. To start a new one instead, stop it first, or add --seed 1.";
 
     private final boolean server;
     private final String place;
@@ -77,7 +77,7 @@ public final class SimulatorConnection implements AutoCloseable {
      */
     public static SimulatorConnection of(AgentLink link) {
         return new SimulatorConnection(
-                false, "the simulator", "Plays over an open connection", TelemetrySink.NONE, () -> link, link::close);
+                false, "the simulator", "Playing over an open connection", TelemetrySink.NONE, () -> link, link::close);
     }
 
     private static SimulatorConnection joinOrStart(WantedSimulator wanted) throws IOException {
@@ -97,7 +97,7 @@ public final class SimulatorConnection implements AutoCloseable {
         return new SimulatorConnection(
                 true,
                 place,
-                "Joins the server at " + place + advice,
+                "Joining the server at " + place + advice,
                 telemetry,
                 () -> first.isEmpty() ? TcpAgentLink.connect(host, port) : first.remove(),
                 () -> {

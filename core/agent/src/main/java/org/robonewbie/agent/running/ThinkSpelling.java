@@ -57,7 +57,7 @@ public final class ThinkSpelling {
                 .map(method -> method + " is never called, since think() has no parameters: remove them.")
                 .or(() ->
                         Spelling.nearest(THINK, byName.keySet()).map(near -> "did you mean " + byName.get(near) + "?"))
-                .orElse("the robot does nothing. Write what it does into: protected void think() { ... }");
+                .orElse("the robot does nothing. Put its behaviour in: protected void think() { ... }");
         return Optional.of(name + " has no think(); " + meant);
     }
 

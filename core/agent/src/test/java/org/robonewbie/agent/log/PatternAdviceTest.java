@@ -18,21 +18,23 @@ class PatternAdviceTest {
 
     static Stream<Arguments> wrongPatterns() {
         return Stream.of(
-                wrong("%d is for whole numbers; %.1f for 1.5, in \"angle %d\".", "angle %d", 1.5),
-                wrong("%5x is for whole numbers; %.1f for 0.0, in \"%5x\".", "%5x", -0.0),
-                wrong("%d is for whole numbers; %s for \"left\", in \"%d\".", "%d", "left"),
-                wrong("%d is for whole numbers; %s for \"true\", in \"%s %d\".", "%s %d", 1, true),
-                wrong("%.1d has no digits after the point; %d for 3, in \"%.1d\".", "%.1d", 3),
-                wrong("%.1d is for whole numbers; %.1f for 3.5, in \"%.1d\".", "%.1d", 3.5),
-                wrong("%.2f is for decimal numbers; %d for 3, in \"%.2f m\".", "%.2f m", 3),
-                wrong("%f is for decimal numbers; %d for 7, in \"%f\".", "%f", 7L),
-                wrong("%e is for decimal numbers; %s for \"x\", in \"%e\".", "%e", "x"),
-                wrong("%c is for one letter; %s for \"ab\", in \"%c\".", "%c", "ab"),
+                wrong("%d is for whole numbers; use %.1f for 1.5, in \"angle %d\".", "angle %d", 1.5),
+                wrong("%5x is for whole numbers; use %.1f for 0.0, in \"%5x\".", "%5x", -0.0),
+                wrong("%d is for whole numbers; use %s for \"left\", in \"%d\".", "%d", "left"),
+                wrong("%d is for whole numbers; use %s for \"true\", in \"%s %d\".", "%s %d", 1, true),
+                wrong("%.1d has no digits after the point; use %d for 3, in \"%.1d\".", "%.1d", 3),
+                wrong("%.1d is for whole numbers; use %.1f for 3.5, in \"%.1d\".", "%.1d", 3.5),
+                wrong("%.2f is for decimal numbers; use %d for 3, in \"%.2f m\".", "%.2f m", 3),
+                wrong("%f is for decimal numbers; use %d for 7, in \"%f\".", "%f", 7L),
+                wrong("%e is for decimal numbers; use %s for \"x\", in \"%e\".", "%e", "x"),
+                wrong("%c is for one letter; use %s for \"ab\", in \"%c\".", "%c", "ab"),
                 wrong(
-                        "There is no value for %s: give one more, or leave it out; %% writes a per cent sign, in \"%s %s\".",
+                        "There is no value for %s: pass one more value, or remove the placeholder; %% writes a per"
+                                + " cent sign, in \"%s %s\".",
                         "%s %s", 1),
                 wrong(
-                        "There is no value for %3$s: give one more, or leave it out; %% writes a per cent sign, in \"%3$s\".",
+                        "There is no value for %3$s: pass one more value, or remove the placeholder; %% writes a"
+                                + " per cent sign, in \"%3$s\".",
                         "%3$s", 1, 2),
                 wrong(
                         "%k is unknown: %d is for whole numbers, %.1f for other numbers, %s for texts; %% writes a per cent"

@@ -311,7 +311,7 @@ class MotionsTest {
 
         assertThat(diagnostics.reported())
                 .containsExactly("0.00 s: Motion nod turns NECK_YAW by 90 degrees in 20 ms on the way to keyframe 1,"
-                        + " faster than its motor can; give it at least 260 ms.");
+                        + " faster than its motor can; allow at least 260 ms.");
     }
 
     @Test

@@ -43,8 +43,8 @@ class ThinkSpellingTest {
         }
 
         assertThat(wrongIn(Empty.class))
-                .isEqualTo("Empty has no think(); the robot does nothing. Write what it does into:"
-                        + " protected void think() { ... }");
+                .isEqualTo("Empty has no think(); the robot does nothing. Put its behaviour in: protected void"
+                        + " think() { ... }");
     }
 
     @Test

@@ -58,7 +58,7 @@ public final class PathEncoding {
                 ? "The name \"" + name + "\" is not encoded in " + name()
                         + ", so Java cannot open it. Rename that file or folder."
                 : "The name \"" + name + "\" has letters that cannot be decoded, since the encoding of this shell is "
-                        + name() + ". Write \"export LC_ALL=C.UTF-8\" and start again.";
+                        + name() + ". Run \"export LC_ALL=C.UTF-8\" and start again.";
     }
 
     /**

@@ -57,7 +57,7 @@ public final class PropertiesFile {
         }
         Optional<ConfusableCharacter> confusable = ConfusableCharacter.firstIn(line);
         if (confusable.isPresent()) {
-            throw UnreadableFileException.atLine(file, number, "In \"" + line + "\" " + confusable.get() + ".");
+            throw UnreadableFileException.atLine(file, number, "In \"" + line + "\", " + confusable.get() + ".");
         }
         Matcher matcher = LINE.matcher(line);
         if (!matcher.matches()) {
@@ -98,7 +98,7 @@ public final class PropertiesFile {
         return UnreadableFileException.atLine(
                 file,
                 line,
-                "In \"" + text + "\" a single backslash would be lost. Write "
+                "In \"" + text + "\", a single backslash would be lost. Write "
                         + path.replaceAll("(?<!^)\\\\+|^\\\\(?!\\\\)", "/").replaceFirst("^\\\\+/?", "//") + " or "
                         + path.replace("\\", "\\\\") + ".");
     }

@@ -53,8 +53,8 @@ public final class RegularFile {
             throw new UnreadableFileException(
                     file,
                     file.isAbsolute()
-                            ? "does not exist. Is its name right?"
-                            : "does not exist in the folder " + Path.of("").toAbsolutePath() + ". Is its name right?");
+                            ? "does not exist. Check the name."
+                            : "does not exist in the folder " + Path.of("").toAbsolutePath() + ". Check the name.");
         }
         if (!Files.isRegularFile(file)) {
             throw new UnreadableFileException(file, "is not a regular file but a device or a pipe.");

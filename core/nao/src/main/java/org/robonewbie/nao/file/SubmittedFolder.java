@@ -73,12 +73,12 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
     /** Resolves the root, which must not be a link: its target could be another submission. */
     private Path realRoot() throws UnreadableFileException {
         if (Files.isSymbolicLink(root)) {
-            throw refused(root, "is a link. Replace it by its target, or name the target.");
+            throw refused(root, "is a link. Replace it with its target, or name the target.");
         }
         try {
             return root.toRealPath();
         } catch (IOException missing) {
-            throw refused(root, "does not exist or cannot be read. Is its name right?");
+            throw refused(root, "does not exist or cannot be read. Check the name.");
         }
     }
 
@@ -144,7 +144,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
             try {
                 Path target = path.toRealPath();
                 if (!target.startsWith(realRoot)) {
-                    throw refused(path, "is a link that leads out of the folder. Replace it by a copy.");
+                    throw refused(path, "is a link that leads out of the folder. Replace it with a copy.");
                 }
                 return target;
             } catch (NoSuchFileException dead) {

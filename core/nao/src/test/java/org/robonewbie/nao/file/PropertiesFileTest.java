@@ -67,7 +67,7 @@ class PropertiesFileTest {
         assertThatThrownBy(() -> read("\nreport = " + written + "\nteam = Red"))
                 .isInstanceOf(UnreadableFileException.class)
                 .hasMessage(folder.resolve("robonewbie.properties") + ", line 2: In \"" + written
-                        + "\" a single backslash would be lost. Write " + slashes + " or " + doubled + ".");
+                        + "\", a single backslash would be lost. Write " + slashes + " or " + doubled + ".");
     }
 
     @Test

@@ -103,7 +103,7 @@ class SubmittedFolderTest {
         Files.createSymbolicLink(folder.resolve("eve"), Path.of("ben"));
         own = folder.resolve("eve");
 
-        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Replace it by its target");
+        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Replace it with its target");
     }
 
     @Test

@@ -34,7 +34,7 @@ class TextFileTest {
 
     @Test
     void saysWhatIsWrongWithAPath() throws IOException {
-        refuses(folder.resolve("none.txt"), "does not exist. Is its name right?");
+        refuses(folder.resolve("none.txt"), "does not exist. Check the name.");
         refuses(
                 Path.of("none.txt"),
                 "does not exist in the folder " + Path.of("").toAbsolutePath());

@@ -86,7 +86,7 @@ public sealed interface EffectorCommand {
          */
         public Say {
             if (text.isEmpty()) {
-                throw new IllegalArgumentException("A robot cannot say an empty text. Give it 1 to 20 characters.");
+                throw new IllegalArgumentException("A robot cannot say an empty text. Use 1 to 20 characters.");
             }
             if (text.length() > MAX_LENGTH) {
                 throw new IllegalArgumentException("A robot can say at most 20 characters, but \"" + text + "\" has "
@@ -97,7 +97,7 @@ public sealed interface EffectorCommand {
                 if (character <= ' ' || character > '~' || character == '(' || character == ')') {
                     throw new IllegalArgumentException(
                             "A robot cannot say \"" + text + "\" because of the character '" + character
-                                    + "'. Use ASCII letters, digits and punctuation, without spaces and parentheses.");
+                                    + "'. Use ASCII letters, digits and punctuation, without spaces or parentheses.");
                 }
             }
         }

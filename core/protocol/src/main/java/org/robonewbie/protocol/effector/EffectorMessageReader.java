@@ -121,7 +121,7 @@ public final class EffectorMessageReader {
     /** Reads the text, which is the first word of the list, and skips the rest, as rcssserver3d does. */
     private void readSay() {
         if (reader.next() != Token.ATOM) {
-            ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without spaces and parentheses");
+            ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without spaces or parentheses");
             return;
         }
         try {

@@ -178,14 +178,14 @@ public final class EffectorMessageWriter {
 
     private static void checkWord(String what, String word) {
         if (word.isEmpty()) {
-            throw new IllegalArgumentException(what + " is empty. Give it at least one character.");
+            throw new IllegalArgumentException(what + " is empty. Use at least one character.");
         }
         for (int i = 0; i < word.length(); i++) {
             char character = word.charAt(i);
             if (character <= ' ' || character > '~' || "();\"'".indexOf(character) >= 0) {
                 throw new IllegalArgumentException(what + " \"" + word + "\" cannot be sent because of the character '"
                         + character + "'. Use ASCII letters, digits and punctuation, without spaces, parentheses,"
-                        + " semicolons and quotation marks.");
+                        + " semicolons or quotation marks.");
             }
         }
     }

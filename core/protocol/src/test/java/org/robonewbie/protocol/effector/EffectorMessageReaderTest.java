@@ -125,7 +125,7 @@ class EffectorMessageReaderTest {
                 "(he1) | Joint command \"he1\" was ignored: it needs one number, the speed in radians per second",
                 "(he1 (2)) | Joint command \"he1\" was ignored: it needs one number, the speed in radians per second",
                 "(beam 1 2) | \"beam\" was ignored: it needs three numbers, x and y in metres and the heading in degrees",
-                "(say) | \"say\" was ignored: it needs a text of 1 to 20 characters without spaces and parentheses",
+                "(say) | \"say\" was ignored: it needs a text of 1 to 20 characters without spaces or parentheses",
                 "(scene) | \"scene\" was ignored: it needs a file name such as rsg/agent/nao/nao.rsg",
             })
     void saysWhatItIgnored(String text, String problem) {

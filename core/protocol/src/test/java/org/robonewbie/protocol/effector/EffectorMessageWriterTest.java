@@ -92,7 +92,7 @@ class EffectorMessageWriterTest {
     void refusesToSayNothing() {
         assertThatThrownBy(() -> writer.say(""))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("A robot cannot say an empty text. Give it 1 to 20 characters.");
+                .hasMessage("A robot cannot say an empty text. Use 1 to 20 characters.");
     }
 
     @Test
@@ -119,7 +119,7 @@ class EffectorMessageWriterTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
                         "Team name \"My Team\" cannot be sent because of the character ' '. Use ASCII letters, digits"
-                                + " and punctuation, without spaces, parentheses, semicolons and quotation marks.");
+                                + " and punctuation, without spaces, parentheses, semicolons or quotation marks.");
         assertThat(message.length()).isZero();
     }
 
@@ -127,7 +127,7 @@ class EffectorMessageWriterTest {
     void refusesAnEmptyTeamName() {
         assertThatThrownBy(() -> writer.joinTeam(1, ""))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("Team name is empty. Give it at least one character.");
+                .hasMessage("Team name is empty. Use at least one character.");
     }
 
     private List<EffectorCommand> read() {

@@ -185,7 +185,7 @@ public final class AgentChannel implements Restorable {
         } else if (commands.size() < MAX_COMMANDS) {
             commands.add(command);
         } else {
-            warn("flood", "sends more than " + MAX_COMMANDS + " commands in one cycle; the rest is ignored.");
+            warn("flood", "sends more than " + MAX_COMMANDS + " commands in one cycle; the rest are ignored.");
         }
     }
 

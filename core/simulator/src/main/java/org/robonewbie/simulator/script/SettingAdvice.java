@@ -100,12 +100,12 @@ final class SettingAdvice {
     static String example(List<RubyToken> tokens) {
         RubyToken first = tokens.get(0);
         if (first.kind() == Kind.GLOBAL) {
-            return first.text() + " = VALUE in a line by itself";
+            return first.text() + " = VALUE on a separate line";
         }
         if (first.isWord("Soccer") && tokens.size() > 2) {
             return "addSoccerVar('" + tokens.get(2).text() + "', VALUE)";
         }
-        return first.isWord("run") ? "run \"FILE\"" : "addSoccerVar('NAME', VALUE) in a line by itself";
+        return first.isWord("run") ? "run \"FILE\"" : "addSoccerVar('NAME', VALUE) on a separate line";
     }
 
     /** Returns an abbreviated token for messages. */

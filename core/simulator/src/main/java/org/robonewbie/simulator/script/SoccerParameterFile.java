@@ -47,7 +47,7 @@ public final class SoccerParameterFile {
     private static void check(String assignment, Path file, int line) throws UnreadableFileException {
         var confusable = ConfusableCharacter.firstIn(assignment);
         if (confusable.isPresent()) {
-            throw UnreadableFileException.atLine(file, line, "In \"" + assignment + "\" " + confusable.get() + ".");
+            throw UnreadableFileException.atLine(file, line, "In \"" + assignment + "\", " + confusable.get() + ".");
         }
         try {
             SoccerParameters.league().with(assignment);

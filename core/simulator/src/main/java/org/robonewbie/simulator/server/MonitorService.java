@@ -108,7 +108,7 @@ final class MonitorService {
         if (queuedOrders.incrementAndGet() > MAX_QUEUED_ORDERS) {
             queuedOrders.decrementAndGet();
             warnings.warn(
-                    "flood", "sends more than " + MAX_QUEUED_ORDERS + " orders in one cycle; the rest is ignored.");
+                    "flood", "sends more than " + MAX_QUEUED_ORDERS + " orders in one cycle; the rest are ignored.");
             return;
         }
         betweenCycles.accept(() -> {

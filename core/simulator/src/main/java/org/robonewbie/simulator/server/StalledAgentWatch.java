@@ -56,7 +56,7 @@ final class StalledAgentWatch {
         if (seconds >= SECONDS_UNTIL_REPORTED && reported.add(agent.connection())) {
             console.say("Waiting for " + agent + ", which has not answered for "
                     + PortableMath.round(SECONDS_UNTIL_REPORTED) + " s."
-                    + (local ? "" : " It is disconnected after " + text(limit) + " s."));
+                    + (local ? "" : " It will be disconnected after " + text(limit) + " s."));
         }
         if (!local && seconds >= limit) {
             console.say("Disconnected " + agent + ", which has not answered for " + text(seconds) + " s.");

@@ -188,7 +188,7 @@ public enum SoccerParameter {
     /** Pass mode: time before a team can request it again. */
     PASS_MODE_RETRY_WAIT_TIME("PassModeRetryWaitTime", 3, 3, "seconds"),
     /** Whether the rules for indirect kicks and double touches apply; they always do in rcssserver3d. */
-    FREE_KICK_RULES("FreeKickRules", true, false, "whether indirect goals and double touches are judged"),
+    FREE_KICK_RULES("FreeKickRules", true, false, "whether the rules for indirect kicks and double touches apply"),
     /** Time during which a new robot may be beamed during play; not in rcssserver3d. */
     BEAM_GRACE_TIME("BeamGraceTime", 0, 2, "seconds after joining in which a robot may be beamed in any play mode");
 

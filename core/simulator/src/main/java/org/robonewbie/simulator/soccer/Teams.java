@@ -146,7 +146,7 @@ public final class Teams {
         }
         if (!name.chars().allMatch(character -> character > ' ' && character != '(' && character != ')')) {
             throw new JoinRefusedException(
-                    "team name \"" + name + "\" has blanks or parentheses, which messages to other agents cannot"
+                    "team name \"" + name + "\" has spaces or parentheses, which messages to other agents cannot"
                             + " contain; choose a name without them");
         }
         if (teams.size() == 2) {

@@ -144,7 +144,7 @@ class NastyClientsTest {
             agent.exchange(SCENE);
             agent.send("(init (unum 1)(teamname \"My) (team\"))");
 
-            awaitSaid("team name \"My) (team\" has blanks or parentheses");
+            awaitSaid("team name \"My) (team\" has spaces or parentheses");
         }
     }
 

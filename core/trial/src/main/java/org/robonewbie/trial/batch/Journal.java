@@ -52,7 +52,7 @@ public final class Journal implements AutoCloseable {
             if (headers > 0 && !lines.get(0).equals(header)) {
                 throw new IllegalArgumentException(
                         file + " belongs to another run:\n  " + lines.get(0) + "\nand not to:\n  " + header
-                                + "\nGive the same options as before, or delete the file to begin again.");
+                                + "\nUse the same options as before, or delete the file to start over.");
             }
             if (lines.isEmpty() || complete.length() < text.length()) {
                 AtomicFile.write(file, lines.isEmpty() && !header.isEmpty() ? header + "\n" : complete);

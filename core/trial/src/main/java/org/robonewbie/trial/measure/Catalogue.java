@@ -67,7 +67,7 @@ public final class Catalogue<T> {
             throw new IllegalArgumentException(
                     "There is no " + kind + " \"" + name + "\"."
                             + Spelling.question(name, all.keySet())
-                            + " There are: " + names() + ". A class of your own must "
+                            + " Available: " + names() + ". A class of your own must "
                             + (type.isInterface() ? "implement " : "extend ") + type.getSimpleName()
                             + " and have a public constructor without parameters.",
                     none);

@@ -97,7 +97,7 @@ class JournalTest {
         assertThatThrownBy(this::open)
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(file + " belongs to another run:\n  steps of seeds 1 to 8\nand not to:\n  " + HEADER
-                        + "\nGive the same options as before, or delete the file to begin again.");
+                        + "\nUse the same options as before, or delete the file to start over.");
         assertThat(Files.readAllLines(file)).isEqualTo(lines);
     }
 

@@ -124,7 +124,7 @@ public final class TeamList {
 
     private static void refuseConfusable(String text) {
         ConfusableCharacter.firstIn(text).ifPresent(character -> {
-            throw new CalledWronglyException("In \"" + text + "\" " + character + ".");
+            throw new CalledWronglyException("In \"" + text + "\", " + character + ".");
         });
     }
 
@@ -139,7 +139,7 @@ public final class TeamList {
 
     private void addTeam(TeamName name, String program) {
         if (program.isEmpty()) {
-            throw new CalledWronglyException("Team " + name.written() + " has no program. For example: "
+            throw new CalledWronglyException("Team " + name.written() + " has no program. Add one, for example: "
                     + name.written() + " = Agent_SimpleSoccer");
         }
         for (TeamName other : programs.keySet()) {
@@ -170,7 +170,7 @@ public final class TeamList {
         Map<String, String> own = settings.computeIfAbsent(name, team -> new TreeMap<>());
         if (own.put(setting, value) != null) {
             throw new CalledWronglyException(
-                    "\"" + name + "." + setting + "\" is given twice. Delete one of the two lines.");
+                    "\"" + name + "." + setting + "\" is set twice. Delete one of the two lines.");
         }
     }
 
@@ -198,7 +198,7 @@ public final class TeamList {
         }
         if (programs.size() > MAX_TEAMS) {
             throw new CalledWronglyException("A competition can have " + MAX_TEAMS + " teams, and there are "
-                    + programs.size() + ". Split them into two competitions, each with its own folder of results.");
+                    + programs.size() + ". Split them into two competitions, each with its own results folder.");
         }
         List<TeamEntry> teams = new ArrayList<>();
         programs.forEach((name, program) -> teams.add(entry(name, program)));

@@ -39,7 +39,7 @@ record TeamName(String written, String ascii) {
     static TeamName of(String name) {
         String written = Normalizer.normalize(name, Normalizer.Form.NFC);
         ConfusableCharacter.firstIn(written).ifPresent(character -> {
-            throw new CalledWronglyException("In the name \"" + name + "\" of a team " + character + ".");
+            throw new CalledWronglyException("In the team name \"" + name + "\", " + character + ".");
         });
         boolean tooLong = written.codePointCount(0, written.length()) > MAX_LETTERS;
         if (tooLong
@@ -48,7 +48,7 @@ record TeamName(String written, String ascii) {
             String proposal = near(written).written();
             throw new CalledWronglyException("\"" + name + "\" cannot be the name of a team. Use up to " + MAX_LETTERS
                     + " letters, digits and underscores, such as " + proposal + "; " + proposal
-                    + ".title is for a longer one.");
+                    + ".title can hold a longer one.");
         }
         return new TeamName(written, shortened(inAscii(written), MAX_LETTERS));
     }

@@ -146,7 +146,7 @@ final class AdmissionControl implements AutoCloseable {
                 .findFirst();
         intruder.ifPresent(intruders::add);
         log.accept("A connection to the port of " + team + " came from "
-                + intruder.map(other -> "the program of " + other).orElse("no program of this trial")
+                + intruder.map(other -> "the program of " + other).orElse("a program outside this trial")
                 + " and was refused.");
         return false;
     }

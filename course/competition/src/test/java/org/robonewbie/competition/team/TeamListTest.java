@@ -57,9 +57,8 @@ class TeamListTest {
         assertThat(TeamList.parse(ten)).hasSize(10);
         assertThatThrownBy(() -> TeamList.parse(eleven))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage(
-                        "A competition can have 10 teams, and there are 11. Split them into two competitions, each with its own"
-                                + " folder of results.");
+                .hasMessage("A competition can have 10 teams, and there are 11. Split them into two competitions, each"
+                        + " with its own results folder.");
     }
 
     @ParameterizedTest
@@ -147,13 +146,13 @@ class TeamListTest {
             value = {
                 "Röt=x,Roet=y; The teams Röt and Roet are both called Roet in messages and files.",
                 "Röt=x,RÖT=y; Two teams are called RÖT.",
-                "A=x,A.seed=1,A.seed=2; \"A.seed\" is given twice.",
+                "A=x,A.seed=1,A.seed=2; \"A.seed\" is set twice.",
                 "A=x,A.titel=T; \"A.titel\" is unknown. Did you mean title?",
                 "Red=x,Rde.seed=1; There are settings for team Rde, but no line for its program. Did you mean Red?",
-                "Red\u00A0= x; In \"Red\u00A0= x\" character 4 is a no-break space (U+00A0): type an ordinary space.",
-                "R\u0435d = x; In \"R\u0435d = x\" character 2 is the Cyrillic letter \u0435 (U+0435): type e.",
-                "Red = teams/red\u200B; In \"Red = teams/red\u200B\" character 16 is an invisible character (U+200B): delete it.",
-                "“Red” = x; In \"“Red” = x\" character 1 is the quotation mark “ (U+201C): type ' or \", or none."
+                "Red\u00A0= x; In \"Red\u00A0= x\", character 4 is a no-break space (U+00A0): type an ordinary space.",
+                "R\u0435d = x; In \"R\u0435d = x\", character 2 is the Cyrillic letter \u0435 (U+0435): type e.",
+                "Red = teams/red\u200B; In \"Red = teams/red\u200B\", character 16 is an invisible character (U+200B): delete it.",
+                "“Red” = x; In \"“Red” = x\", character 1 is the quotation mark “ (U+201C): type ' or \", or none."
             })
     void whatIsNotClearIsRefused(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))

@@ -116,7 +116,7 @@ class TeamProgramsTest {
             ln -s self self                        | red/self is a circular link
             ln -s ../blue/Blue.java Tools.jar      | red/Tools.jar is a link that leads out of the folder
             truncate -s 3G data.bin                | red contains more than 100 MB
-            rm -r ../red && ln -s blue ../red      | red is a link. Replace it by its target
+            rm -r ../red && ln -s blue ../red      | red is a link. Replace it with its target
             """)
     void badFolderCostsItsTeamAndNamesTheFile(String command, String complaint) throws Exception {
         write("blue/Blue.java", AGENT.formatted("Blue"));

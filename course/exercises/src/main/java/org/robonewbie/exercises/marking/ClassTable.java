@@ -158,8 +158,7 @@ record ClassTable(
                     "",
                     "",
                     "",
-                    each.comparable() + " of " + each.programs()
-                            + " programs have enough of their own to be compared")));
+                    each.comparable() + " of " + each.programs() + " programs have enough original code to compare")));
         }
         return Csv.text(lines);
     }
@@ -218,7 +217,7 @@ record ClassTable(
         return """
                 <h2>Programs that are alike</h2>
                 <p>%s</p>
-                <p class="note">Comments, layout, the authors' names and numbers are ignored, and so is the start code. Ask both authors to explain
+                <p class="note">Comments, layout, the authors' names and numbers are ignored, and so is the starter code. Ask both authors to explain
                 their program before you judge.</p>
                 %s""".formatted(Html.text(sentence()), table);
     }

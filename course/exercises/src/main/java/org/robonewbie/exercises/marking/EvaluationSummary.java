@@ -54,7 +54,7 @@ public final class EvaluationSummary {
                     "The file is empty. Its first line must contain the names of the questions.");
         }
         ConfusableCharacter.firstIn(lines.get(0)).ifPresent(character -> {
-            throw new CalledWronglyException("Line 1: in \"" + lines.get(0) + "\" " + character + ".");
+            throw new CalledWronglyException("Line 1: in \"" + lines.get(0) + "\", " + character + ".");
         });
         List<String> questions = cells(lines.get(0).toLowerCase(Locale.ROOT));
         if (questions.stream().distinct().count() < questions.size()) {
@@ -85,7 +85,7 @@ public final class EvaluationSummary {
         groups.forEach(group -> append(table, group));
         for (String experience : EXPERIENCES) {
             if (!questions.contains(experience)) {
-                table.append("There is no column \"" + experience + "\", so no rows by it.")
+                table.append("There is no column \"" + experience + "\", so the answers are not grouped by it.")
                         .append(System.lineSeparator());
             }
         }

@@ -30,7 +30,7 @@ public record ProgressTable(Progress progress) {
         lines.add(sum());
         lines.add(
                 progress.badges().isEmpty()
-                        ? "No badge yet: the first one is for the first exercise that you pass."
+                        ? "No badges yet: you earn the first one with the first exercise that you pass."
                         : "Badges: "
                                 + progress.badges().stream()
                                         .map(badge -> badge.title() + " (" + badge.reason() + ")")

@@ -98,10 +98,10 @@ public record SolutionRepository(Source source) {
             Optional<String> text = program(exercise);
             if (text.isEmpty()) {
                 return new Answer(
-                        false, "This computer has no solution of " + exercise.name() + ". Ask your teacher for it.");
+                        false, "This computer has no solution for " + exercise.name() + ". Ask your teacher for it.");
             }
             if (isLocked(exercise)) {
-                return new Answer(false, "Your teacher has locked the solution of " + exercise.name() + " for now.");
+                return new Answer(false, "Your teacher has locked the solution for " + exercise.name() + " for now.");
             }
             return missing == 0
                     ? new Answer(true, text.get().replaceFirst("(?m)^package .*;(\r?\n)+", ""))

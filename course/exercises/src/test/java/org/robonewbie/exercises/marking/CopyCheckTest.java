@@ -112,7 +112,7 @@ class CopyCheckTest {
                 .startsWith(
                         "exercise,student,other,alike percent,same numbers percent,note",
                         "03-arm-by-side,anna,ben,100,100,identical files")
-                .endsWith("stop-at-30,,,,,0 of 2 programs have enough of their own to be compared");
+                .endsWith("stop-at-30,,,,,0 of 2 programs have enough original code to compare");
         assertThat(Files.readString(folder.resolve("grades/grades.html")))
                 .contains("3 pairs of programs are alike", "(stop-at-30: none of 2)", "identical files");
     }

@@ -58,7 +58,7 @@ class EvaluationSummaryTest {
     @Test
     void missingColumnIsNamed() {
         assertThat(EvaluationSummary.of(List.of("java,usage", "1,3")).toString())
-                .contains("There is no column \"robotics\", so no rows by it.");
+                .contains("There is no column \"robotics\", so the answers are not grouped by it.");
     }
 
     @Test
@@ -98,6 +98,6 @@ class EvaluationSummaryTest {
     void missingFileIsToldInASentence() {
         assertThatThrownBy(() -> EvaluationSummary.of(Path.of("no-such.csv")))
                 .hasMessage("The file no-such.csv does not exist in the folder "
-                        + Path.of("").toAbsolutePath() + ". Is its name right?");
+                        + Path.of("").toAbsolutePath() + ". Check the name.");
     }
 }

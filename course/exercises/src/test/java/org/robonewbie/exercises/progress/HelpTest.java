@@ -92,7 +92,7 @@ class HelpTest {
     void teacherLocksASolution(String lock) throws IOException {
         Files.writeString(folder.resolve("locked.txt"), lock);
 
-        assertThat(shelf().ask(KICK, TRIED).text()).isEqualTo("Your teacher has locked the solution of kick for now.");
+        assertThat(shelf().ask(KICK, TRIED).text()).isEqualTo("Your teacher has locked the solution for kick for now.");
         assertThat(shelf().offers(KICK)).isFalse();
     }
 

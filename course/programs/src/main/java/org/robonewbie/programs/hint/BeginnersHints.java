@@ -9,7 +9,7 @@ final class BeginnersHints {
 
     private static final List<Hint> HINTS = List.of(
             new Hint("premature.eof", "A brace is not closed: count { and }, and add the } that is missing."),
-            new Hint("unexpected.type", "Compare with ==; a single = gives a variable a value."),
+            new Hint("unexpected.type", "Compare with ==; a single = assigns a value to a variable."),
             new Hint("expected", "Something is missing just before this place, often a ; or a ) at the end."),
             new Hint(
                     "not.stmt",
@@ -23,7 +23,7 @@ final class BeginnersHints {
             new Hint("orphaned", "This belongs in a switch; check the braces before it."),
             new Hint(
                     "class.public.should.be.in.file",
-                    "Give the class the name of its file, or the file that of its class."),
+                    "Rename the class to match its file, or the file to match its class."),
             new Hint(
                     "non-static.cant.be.ref",
                     "main belongs to no object: write this in think(), or make an object with new."),

@@ -107,7 +107,7 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
                         run,
                         seed,
                         "The program did not connect " + robots
-                                + (robots == 1 ? " robot." : " robots. Give their number with --robots.")));
+                                + (robots == 1 ? " robot." : " robots. Pass their actual number with --robots.")));
             }
             return Optional.of(
                     over || failure.get().isEmpty()

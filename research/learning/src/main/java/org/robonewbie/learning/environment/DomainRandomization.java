@@ -81,7 +81,7 @@ public final class DomainRandomization {
                     .findFirst()
                     .orElseThrow(() -> new IllegalArgumentException("There is no option \"" + word + "\"."
                             + Spelling.question(word, words)
-                            + " There are: reward, " + String.join(", ", words) + "."));
+                            + " Available: reward, " + String.join(", ", words) + "."));
         }
 
         String word() {

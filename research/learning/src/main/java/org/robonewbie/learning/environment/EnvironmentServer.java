@@ -62,7 +62,7 @@ public final class EnvironmentServer implements AutoCloseable {
             }
         } catch (IOException closed) {
             if (!socket.isClosed()) {
-                console.accept("The server of environments accepts no more connections: " + closed.getMessage());
+                console.accept("The environment server accepts no more connections: " + closed.getMessage());
             }
         }
     }

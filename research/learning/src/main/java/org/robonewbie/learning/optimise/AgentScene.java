@@ -32,10 +32,10 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
     /** Validates the parameters. */
     public AgentScene {
         if (!(seconds > 0 && seconds <= 3600)) {
-            throw new IllegalArgumentException("--seconds " + seconds + ": give a number above 0, at most 3600.");
+            throw new IllegalArgumentException("--seconds must be above 0 and at most 3600, not " + seconds + ".");
         }
         if (!(spreadMetres >= 0 && spreadMetres <= 3)) {
-            throw new IllegalArgumentException("--spread " + spreadMetres + ": give metres from 0 to 3.");
+            throw new IllegalArgumentException("--spread must be from 0 to 3 metres, not " + spreadMetres + ".");
         }
     }
 

@@ -25,7 +25,7 @@ public record OptimisationPlan(
         require("population", population, 4);
         require("seeds", trials, 1);
         if (!(step > 0 && step <= 10)) {
-            throw new IllegalArgumentException("--step " + step + ": give a number greater than 0, at most 10.");
+            throw new IllegalArgumentException("--step must be above 0 and at most 10, not " + step + ".");
         }
         require("threads", threads, 1);
     }
@@ -53,7 +53,7 @@ public record OptimisationPlan(
 
     private static void require(String option, int value, int min) {
         if (value < min) {
-            throw new IllegalArgumentException("--" + option + " " + value + ": give at least " + min + ".");
+            throw new IllegalArgumentException("--" + option + " must be at least " + min + ", not " + value + ".");
         }
     }
 }

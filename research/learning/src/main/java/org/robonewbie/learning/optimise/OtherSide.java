@@ -28,7 +28,7 @@ public final class OtherSide {
         String name = String.valueOf(file.getFileName());
         if (!SIDE.matcher(name).find()) {
             throw new IllegalArgumentException(
-                    "--both-sides needs an output with left or right in its name, not " + name + ".");
+                    "--both-sides needs an output file whose name contains left or right, not " + name + ".");
         }
         return file.resolveSibling(exchanged(name));
     }

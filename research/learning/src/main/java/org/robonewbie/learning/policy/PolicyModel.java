@@ -67,7 +67,7 @@ public final class PolicyModel {
      */
     public PolicyModel(EnvironmentSpec spec, String inputPattern, int hidden, ClassLoader classes) {
         if (hidden < 0) {
-            throw new IllegalArgumentException(hidden + " hidden neurons: give a number from 0.");
+            throw new IllegalArgumentException("--hidden must be at least 0, not " + hidden + ".");
         }
         this.spec = spec;
         this.inputPattern = inputPattern;
@@ -157,7 +157,8 @@ public final class PolicyModel {
         double[] weights = policy.network().numbers();
         if (weights.length != Network.size(layers)) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + weights.length
-                    + " weights instead of " + Network.size(layers) + ". Pass the --hidden that it was trained with.");
+                    + " weights instead of " + Network.size(layers) + ". Pass the same --hidden value that it was"
+                    + " trained with.");
         }
         double[] learnedGait = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
         return DoubleStream.concat(DoubleStream.of(learnedGait), DoubleStream.of(weights))

@@ -49,6 +49,6 @@ record Rollout(int cycles, double reward, boolean fallen, boolean success, Veloc
             }
         }
         throw new IllegalArgumentException("The policy needs the input " + input.name() + " in " + input.unit()
-                + ", which this task does not observe. Was it learned for another task?");
+                + ", which this task does not observe. Was it trained for another task?");
     }
 }

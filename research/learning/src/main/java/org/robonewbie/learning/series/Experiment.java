@@ -76,8 +76,8 @@ public interface Experiment {
         } catch (ReflectiveOperationException | ClassCastException wrong) {
             throw new IllegalArgumentException(
                     className + " is not an experiment (" + wrong
-                            + "). Give the full name of a public class that implements Experiment and has a public"
-                            + " constructor without parameters, and its folder or jar with --class-path.",
+                            + "). Name a public class (with its package) that implements Experiment and has a"
+                            + " public constructor without parameters, and pass its folder or jar with --class-path.",
                     wrong);
         }
     }

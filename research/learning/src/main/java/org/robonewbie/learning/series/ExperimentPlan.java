@@ -69,12 +69,11 @@ public record ExperimentPlan(
             String value = line.substring(equals + 1).trim();
             String place = file + ", line " + (i + 1) + ": ";
             ConfusableCharacter.firstIn(value.startsWith("\"") ? name : line).ifPresent(character -> {
-                throw new IllegalArgumentException(place + "In \"" + line + "\" " + character + ".");
+                throw new IllegalArgumentException(place + "In \"" + line + "\", " + character + ".");
             });
             if (!given.add(name)) {
-                throw new IllegalArgumentException(
-                        place + "\"" + name + "\" is given for the second time. Write all values of a parameter in one"
-                                + " line, separated by commas.");
+                throw new IllegalArgumentException(place + "\"" + name
+                        + "\" is set twice. Write all values of a parameter on one line," + " separated by commas.");
             }
             try {
                 switch (name) {
@@ -92,7 +91,7 @@ public record ExperimentPlan(
                 }
             } catch (NumberFormatException wrong) {
                 throw new IllegalArgumentException(
-                        place + "\"" + line + "\" is not understood."
+                        place + "\"" + line + "\" is not a valid line."
                                 + (RESERVED.contains(name) ? "" : Spelling.question(name, RESERVED))
                                 + " Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
                         wrong);
@@ -101,7 +100,7 @@ public record ExperimentPlan(
         if (experiment.isEmpty() || trials < 1 || trials > MAX_TRIALS) {
             throw new IllegalArgumentException(
                     file + ": a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to " + MAX_TRIALS
-                            + "; it has \"" + experiment + "\" and " + trials + ".");
+                            + "; this one has \"" + experiment + "\" and " + trials + ".");
         }
         return new ExperimentPlan(experiment, trials, seed, values, texts);
     }

@@ -26,7 +26,7 @@ class RecordingTest {
 
         assertThat(lines)
                 .containsExactly("run 1/1, seed 7: failed and is left out. The program did not connect 2 robots."
-                        + " Give their number with --robots.");
+                        + " Pass their actual number with --robots.");
         assertThat(set.runs()).isZero();
         assertThat(folder.resolve("cycles")).isEmptyDirectory();
     }

@@ -79,7 +79,7 @@ class EnvironmentServerTest {
         make("Reach", 1);
 
         assertThat(text(make("Fly", 1)))
-                .startsWith("\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, JogGait,"
+                .startsWith("\1There is no task \"Fly\". Available: EngineFollow, EngineRun, Follow, GetUp, JogGait,"
                         + " KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
                         + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
@@ -98,9 +98,9 @@ class EnvironmentServerTest {
 
         assertThat(answer.getDouble(answer.limit() - 9 - Double.BYTES * PrivilegedState.NAMES.size()))
                 .isNegative();
-        assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
+        assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". Available: ");
         assertThat(text(make("Reach\nvelocity=9", 1)))
-                .isEqualTo("\1There is no option \"velocity\". There are: reward, x, y, heading, ball_x, ball_y, push,"
+                .isEqualTo("\1There is no option \"velocity\". Available: reward, x, y, heading, ball_x, ball_y, push,"
                         + " delay, cycles, noise, friction, mass, forward, left, turn, distance, speed, step,"
                         + " slow, tolerance, constant, type, seconds.");
     }

@@ -92,9 +92,9 @@ class AgentParametrizationTest {
     @Test
     void sceneThatMakesNoSenseIsRefused() {
         assertThatThrownBy(() -> new AgentScene(Vector3.ZERO, 0, Vector3.ZERO, 0.2, 0))
-                .hasMessage("--seconds 0.0: give a number above 0, at most 3600.");
+                .hasMessage("--seconds must be above 0 and at most 3600, not 0.0.");
         assertThatThrownBy(() -> new AgentScene(Vector3.ZERO, 0, Vector3.ZERO, -1, 5))
-                .hasMessage("--spread -1.0: give metres from 0 to 3.");
+                .hasMessage("--spread must be from 0 to 3 metres, not -1.0.");
     }
 
     private static final class Walker extends Agent {

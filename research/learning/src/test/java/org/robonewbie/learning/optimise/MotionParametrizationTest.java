@@ -115,7 +115,7 @@ class MotionParametrizationTest {
     void refusesTheOtherSideOfAMotionWithoutSides() {
         assertThatThrownBy(() -> OtherSide.of(Path.of("bow.txt")))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("--both-sides needs an output with left or right in its name, not bow.txt.");
+                .hasMessage("--both-sides needs an output file whose name contains left or right, not bow.txt.");
     }
 
     private static MotionParametrization subject(String name, Objective objective) {

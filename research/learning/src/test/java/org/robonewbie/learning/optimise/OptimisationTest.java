@@ -108,7 +108,7 @@ class OptimisationTest {
         assertThatThrownBy(() -> other.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("hill.txt.checkpoint belongs to another run")
-                .hasMessageContaining("delete the file to begin again");
+                .hasMessageContaining("delete the file to start over");
     }
 
     @Test
@@ -188,10 +188,10 @@ class OptimisationTest {
     void refusesPlansThatCannotWork() {
         assertThatThrownBy(() -> new OptimisationPlan(1, 1, 3, 1, 1, 1, false))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("--population 3: give at least 4.");
+                .hasMessage("--population must be at least 4, not 3.");
         assertThatThrownBy(() -> new OptimisationPlan(1, 1, 4, 1, 0, 1, false))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("--step 0.0: give a number greater than 0, at most 10.");
+                .hasMessage("--step must be above 0 and at most 10, not 0.0.");
     }
 
     private static String content(Path file) {

@@ -108,7 +108,7 @@ class PolicyModelTest {
         assertThatThrownBy(() -> model("Match1v1"))
                 .hasMessage("In Match1v1 several robots learn; choose a task for one.");
         assertThatThrownBy(() -> model("Stnd"))
-                .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? There are: ");
+                .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? Available: ");
         assertThatThrownBy(() -> model("Stand", "speed=1")).hasMessageStartingWith("This task has no option speed. ");
         assertThatThrownBy(() -> model("Stand", "wing.*", 16))
                 .hasMessage("No observed quantity of Stand has a name that matches wing.*.");

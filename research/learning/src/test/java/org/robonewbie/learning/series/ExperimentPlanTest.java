@@ -41,12 +41,12 @@ class ExperimentPlanTest {
 
     @ParameterizedTest
     @CsvSource({
-        "'sp\u0435ed=1', 'In \"sp\u0435ed=1\" character 3 is the Cyrillic letter'",
-        "'speed\u00A0= 1', 'In \"speed\u00A0= 1\" character 6 is a no-break space (U+00A0)'",
-        "'speed = \u22121', 'In \"speed = \u22121\" character 9 is the dash'",
-        "word=“x”, 'In \"word=“x”\" character 6 is the quotation mark “'",
-        "'speed 1', '\"speed 1\" is not understood.'",
-        "'speed=1,,2', '\"speed=1,,2\" is not understood.'"
+        "'sp\u0435ed=1', 'In \"sp\u0435ed=1\", character 3 is the Cyrillic letter'",
+        "'speed\u00A0= 1', 'In \"speed\u00A0= 1\", character 6 is a no-break space (U+00A0)'",
+        "'speed = \u22121', 'In \"speed = \u22121\", character 9 is the dash'",
+        "word=“x”, 'In \"word=“x”\", character 6 is the quotation mark “'",
+        "'speed 1', '\"speed 1\" is not a valid line.'",
+        "'speed=1,,2', '\"speed=1,,2\" is not a valid line.'"
     })
     void lineThatIsNotClearIsRefused(String line, String message) throws IOException {
         Path file = Files.writeString(folder.resolve("plan.txt"), "experiment=x\n" + line + "\n");

@@ -82,14 +82,14 @@ class ExperimentRunTest {
                 .hasMessageContaining("line 1")
                 .hasMessageContaining("Did you mean experiment?");
         assertThatThrownBy(() -> plan("experiment=x", "trials=many"))
-                .hasMessageContaining("\"trials=many\" is not understood. Write");
+                .hasMessageContaining("\"trials=many\" is not a valid line. Write");
     }
 
     @Test
     void nameThatIsGivenTwiceIsRefused() {
         assertThatThrownBy(() -> plan("experiment=x", "newtons=20", "newtons=40"))
                 .hasMessageContaining("line 3")
-                .hasMessageContaining("\"newtons\" is given for the second time");
+                .hasMessageContaining("\"newtons\" is set twice");
     }
 
     @Test
@@ -133,14 +133,14 @@ class ExperimentRunTest {
     @Test
     void mistakesInAPlanAreTold() {
         assertThatThrownBy(() -> plan("experiment=x", "newtons=a lot"))
-                .hasMessageEndingWith("line 2: \"newtons=a lot\" is not understood. "
+                .hasMessageEndingWith("line 2: \"newtons=a lot\" is not a valid line. "
                         + "Write name=number, or name=number,number,… or name=\"text\" for a parameter.");
         assertThatThrownBy(() -> plan("experiment=x", "agent=\"A\",B"))
-                .hasMessageContaining("line 2: \"agent=\"A\",B\" is not understood.");
-        assertThatThrownBy(() -> plan("experiment=x", "agent=\"A").all()).hasMessageContaining("is not understood");
+                .hasMessageContaining("line 2: \"agent=\"A\",B\" is not a valid line.");
+        assertThatThrownBy(() -> plan("experiment=x", "agent=\"A").all()).hasMessageContaining("is not a valid line");
         assertThatThrownBy(() -> plan("trials=3"))
                 .hasMessageEndingWith("a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to 100000000; "
-                        + "it has \"\" and 3.");
+                        + "this one has \"\" and 3.");
         assertThatThrownBy(() -> Experiment.of("java.lang.String")).hasMessageContaining("is not an experiment");
     }
 
