@@ -131,7 +131,7 @@ def main(words=None):
     wanted = parser.parse_args(words)
     unknown = set(wanted.tasks) - set(TASKS)
     if unknown:
-        parser.error(f"There is no baseline for {', '.join(sorted(unknown))}. There are: {', '.join(TASKS)}.")
+        parser.error(f"There is no baseline for {', '.join(sorted(unknown))}. Available: {', '.join(TASKS)}.")
     wanted.out.mkdir(parents=True, exist_ok=True)
     rows = []
     for task in wanted.tasks or TASKS:

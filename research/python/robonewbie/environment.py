@@ -44,7 +44,7 @@ class SimulatedTask:
 
     def _connect(self, task, count, reward, render_mode, options):
         if render_mode is not None and render_mode not in RENDER_MODES:
-            raise ValueError(f'There is no render_mode "{render_mode}". There are: {", ".join(RENDER_MODES)}, or omit it.')
+            raise ValueError(f'There is no render_mode "{render_mode}". Available: {", ".join(RENDER_MODES)}; or omit it.')
         self.render_mode = render_mode
         self._options = options
         self._changed = False

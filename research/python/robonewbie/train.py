@@ -232,7 +232,7 @@ def indices_of(description, inputs):
     names = [entry["name"] for entry in description["observation"]]
     indices = [i for i, name in enumerate(names) if re.fullmatch(inputs, name)]
     if not indices:
-        sys.exit(f"No observed quantity of {description['task']} has a name that matches {inputs}. There are: {', '.join(names)}.")
+        sys.exit(f"No observed quantity of {description['task']} has a name that matches {inputs}. Available: {', '.join(names)}.")
     return indices
 
 

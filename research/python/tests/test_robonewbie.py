@@ -181,7 +181,7 @@ class EnvironmentTest(unittest.TestCase):
         self.assertGreater(shirt.mean(), 0.02)
         self.assertGreater((picture[..., 1] > picture[..., 0]).mean(), 0.5)
         env.close()
-        with self.assertRaisesRegex(ValueError, "There are: human, rgb_array"):
+        with self.assertRaisesRegex(ValueError, "Available: human, rgb_array"):
             robonewbie.RoboNewbieEnv("Walk", render_mode="ansi")
 
     def test_studio_shows_the_robot_in_real_time(self):

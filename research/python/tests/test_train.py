@@ -67,7 +67,7 @@ class TrainTest(unittest.TestCase):
     def test_baselines_name_what_they_have(self):
         with self.assertRaises(SystemExit), mock.patch("sys.stderr", io.StringIO()) as told:
             baselines.main(["Stnd"])
-        self.assertIn("There is no baseline for Stnd. There are: Stand,", told.getvalue())
+        self.assertIn("There is no baseline for Stnd. Available: Stand,", told.getvalue())
 
     def test_policy_carries_the_motion_of_its_task(self):
         text = train.policy_text("KickTo", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, [], [400, 0, -94.9])

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.programs.ClassPath;
@@ -37,6 +38,7 @@ class BeginnersMistakesTest {
                 .doesNotContain("without a mistake");
     }
 
+    @Tag("slow")
     @Test
     void sleepingBetweenTwoMessagesIsNamedToo() throws Exception {
         Ended ended = main("Stepper", """
@@ -63,6 +65,7 @@ class BeginnersMistakesTest {
                 .doesNotContain("without a mistake");
     }
 
+    @Tag("slow")
     @Test
     void missingMotionOfAProgramInTheHandEndsWithExitCodeOne() throws Exception {
         Ended closed = main("Closed", "try (Nao nao = Nao.connect(args)) { nao.perform(\"wawe\"); }");
@@ -77,6 +80,7 @@ class BeginnersMistakesTest {
                 .containsPattern("\\(Closed\\.java:\\d+\\)");
     }
 
+    @Tag("slow")
     @Test
     void allMemoryIsOneSentenceWithTheLine() throws Exception {
         Ended thinking = agent("Hoarder", "", "long[] much = new long[Integer.MAX_VALUE];");
@@ -119,6 +123,7 @@ class BeginnersMistakesTest {
                 .doesNotContain("    at ");
     }
 
+    @Tag("slow")
     @Test
     void gradingEndsSoonWithTheLineOfASleep() throws Exception {
         Path file = write("RaiseArms", "", "try { Thread.sleep(200); } catch (InterruptedException e) { }");

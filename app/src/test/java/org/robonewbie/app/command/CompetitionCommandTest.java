@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -87,6 +88,7 @@ class CompetitionCommandTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void leagueOfWholeTeamsGoesOnWhereItWasAndKeepsItsTable() throws IOException {
         Path results = folder.resolve("league");
@@ -110,6 +112,7 @@ class CompetitionCommandTest {
         assertThat(results.resolve("certificates/Blue.html")).exists();
     }
 
+    @Tag("slow")
     @Test
     void exerciseIsAContestJudgedByItsOwnChecker() throws IOException {
         Path results = folder.resolve("results");

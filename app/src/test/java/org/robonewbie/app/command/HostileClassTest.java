@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -21,6 +22,7 @@ import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.programs.process.Sandbox;
 
 /** What one student hands in costs no other one a mark, whatever it is. */
+@Tag("slow")
 @EnabledOnOs(OS.LINUX)
 class HostileClassTest {
 

@@ -89,6 +89,7 @@ class RecordCommandTest {
     }
 
     /** All that a program keeps in static fields begins again in each run, whichever process carries it out. */
+    @Tag("slow")
     @Test
     void runThatFailsIsToldInTheTableAndTriedAgainByTheNextCall() throws IOException {
         Path agent = Files.writeString(
@@ -149,6 +150,7 @@ class RecordCommandTest {
     }
 
     /** What a kill leaves behind: no table of runs, half of a line, and the last run without its table of cycles. */
+    @Tag("slow")
     @Test
     void recordingThatWasKilledGoesOnWithTheRunsThatAreMissing() throws IOException {
         Path whole = folder.resolve("whole");

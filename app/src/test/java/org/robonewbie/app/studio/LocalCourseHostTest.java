@@ -182,6 +182,7 @@ class LocalCourseHostTest {
                 .hasMessage("The file RaiseArms.java already exists and is kept. Rename it to start over.");
     }
 
+    @Tag("slow")
     @Test
     void programThatExitsFailsOnlyItsTrial() throws Exception {
         Files.writeString(

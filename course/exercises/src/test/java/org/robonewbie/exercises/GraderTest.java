@@ -39,6 +39,7 @@ class GraderTest {
         assertThat(grade.trials().get(0).score().finding()).contains("no robot today");
     }
 
+    @Tag("slow")
     @Test
     void endlessLoopIsFoundWithItsLine() {
         Grade grade = new Grader().grade(exercise, Looping::new, 1);

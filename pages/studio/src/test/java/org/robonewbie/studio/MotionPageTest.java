@@ -284,6 +284,7 @@ class MotionPageTest {
                 .isTrue();
     }
 
+    @Tag("slow")
     @Test
     void unsavedWorkIsRecoveredAfterACrash() throws IOException {
         openFile(WITH_COMMENTS);

@@ -27,6 +27,7 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /** Records our own server over both ports, as one would record rcssserver3d, and replays what was recorded. */
+@Tag("slow")
 @Timeout(300)
 class ReferenceRecorderTest {
 

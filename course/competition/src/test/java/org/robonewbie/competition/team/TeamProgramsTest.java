@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -145,6 +146,7 @@ class TeamProgramsTest {
         assertThat(((TeamProgram.Broken) program).complaint()).contains("link");
     }
 
+    @Tag("slow")
     @Test
     void fingerprintCoversEachFolderThatIsCompiled() throws IOException {
         write("red/src/main/competition.lock", "");
@@ -168,6 +170,7 @@ class TeamProgramsTest {
     }
 
     /** Compilers end with a stack overflow here, or with a message. */
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void sourcesThatOvertaxTheCompilerCostTheirTeam(Place place) throws IOException {
@@ -193,6 +196,7 @@ class TeamProgramsTest {
                 .doesNotContain("classes");
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void compilerBehindTheFenceMakesTheSameClasses(Place place) throws IOException {
