@@ -70,8 +70,8 @@ public abstract class Agent {
 
     /**
      * Returns the default team, number and starting pose; the user's options take precedence. The pose applies only to
-     * the player number given here (1 if none is given): a robot that is started with another {@code --number} uses the
-     * default pose of that number.
+     * the player number in the same options (1 if none is set): a robot started with a different {@code --number} uses
+     * the default pose for that number.
      *
      * @return the default options; override this method to return others, such as
      *     {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
@@ -90,7 +90,7 @@ public abstract class Agent {
      * }</pre>
      *
      * <p>Moving a slider also updates fields that were computed from the number, as above, if the class has a no-arg
-     * constructor. A call in {@code think()} always returns the value of the slider.
+     * constructor. A call in {@code think()} always returns the slider's current value.
      *
      * @param name name of the number
      * @param usual default value
@@ -173,7 +173,9 @@ public abstract class Agent {
         session.leave();
     }
 
-    /** Reports a misspelt {@code think()} and tunable numbers that their file sets but the program does not declare. */
+    /**
+     * Reports a misspelt {@code think()}, and numbers in the file of tunable numbers that the program does not declare.
+     */
     final void reportWhatIsMissing() {
         ThinkSpelling.problemIn(getClass(), Agent.class, nameOf(getClass()))
                 .ifPresent(sentence -> runtime.diagnostics().reportAt("", sentence, () -> sentence));

@@ -60,7 +60,7 @@ public final class AgentDriver {
     /**
      * Starts a watchdog for {@link #respond}: reports a misspelt {@code think()}, endless loops and slow cycles.
      *
-     * @param listener called in the program's thread, with the cause, once many cycles have been slow
+     * @param listener called with the cause, in the program's thread, once many cycles have been slow
      * @return the watchdog; close it to stop watching
      */
     public Watchdog watch(Consumer<Slowness> listener) {
@@ -88,7 +88,7 @@ public final class AgentDriver {
      *
      * @param link the robot's end of the connection
      * @param options options that include team, number, type and starting pose
-     * @throws IOException if the simulator closes the connection before the game
+     * @throws IOException if the simulator closes the connection before the game begins
      * @throws StartUpException if the simulator refuses the robot
      */
     public void play(AgentLink link, Options options) throws IOException {
@@ -101,7 +101,7 @@ public final class AgentDriver {
      *
      * @param link the robot's end of the connection
      * @param options options that include team, number, type and starting pose
-     * @throws IOException if the simulator closes the connection before the game
+     * @throws IOException if the simulator closes the connection before the game begins
      * @throws StartUpException if the simulator refuses the robot
      */
     public void join(AgentLink link, Options options) throws IOException {

@@ -65,7 +65,7 @@ final class AgentRunner {
         }
     }
 
-    @SuppressWarnings("try") // the hint is cancelled at the first answer
+    @SuppressWarnings("try") // closing the hint cancels it
     static Session join(
             RobotRuntime robot,
             SimulatorConnection simulator,
@@ -139,7 +139,7 @@ final class AgentRunner {
     }
 
     @SuppressWarnings({"try", "ClosingStandardOutputStreams"
-    }) // the printer prints when it is closed, to a stream that stays open
+    }) // closing the printer prints the log to a stream that stays open
     private void play(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         int code;
         Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
@@ -169,7 +169,9 @@ final class AgentRunner {
         exitCode.accumulateAndGet(code, Math::max);
     }
 
-    /** Explains why a robot could not join: the simulator refused it, or the run was too short. */
+    /**
+     * Returns a message that explains why a robot could not join: the simulator refused it, or the run was too short.
+     */
     static String joinFailure(Options options, IOException lost) {
         double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
         return seconds < SECONDS_OF_THE_START

@@ -126,7 +126,7 @@ public final class Nao extends Robot implements AutoCloseable {
      * Performs a motion, sensing and acting in each cycle, and returns when it is over.
      *
      * @param motion name of the motion, see {@link Motions#start(String)}
-     * @return whether it was played to its end; false if there is no such motion or the run is over
+     * @return whether the motion was played to its end; false if there is no such motion or the run is over
      */
     public boolean perform(String motion) {
         session.act();
@@ -138,7 +138,7 @@ public final class Nao extends Robot implements AutoCloseable {
         return performing;
     }
 
-    /** {@return the motions, which play while the program runs its cycle} */
+    /** {@return the keyframe motions, which advance while the program runs its cycle} */
     public Motions motions() {
         return runtime().motions();
     }

@@ -30,7 +30,7 @@ public final class NaoDriver {
      * @param options options that include team, number, type and starting pose
      * @param viewer receives the robot's telemetry
      * @return a driver with the robot at its starting pose
-     * @throws IOException if the simulator closes the connection before the game
+     * @throws IOException if the simulator closes the connection before the game begins
      * @throws StartUpException if the simulator refuses the robot
      */
     public static NaoDriver enter(AgentLink link, Options options, TelemetrySink viewer) throws IOException {

@@ -73,7 +73,7 @@ public final class Options {
     }
 
     /**
-     * Reads the options of this program; those that the user does not set keep their current value.
+     * Reads the options of this program; options that the user does not set keep their current values.
      *
      * @param args the arguments of {@code main}
      * @return the options
@@ -299,7 +299,7 @@ public final class Options {
         return text(Option.WAIT_FOR).map(Integer::valueOf).orElse(1);
     }
 
-    /** {@return the arguments that are not options, in order} */
+    /** {@return the arguments that are not options, in the order of the command line} */
     public List<String> arguments() {
         return arguments;
     }

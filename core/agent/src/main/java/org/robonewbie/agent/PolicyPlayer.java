@@ -26,7 +26,7 @@ import org.robonewbie.nao.motion.Posture;
  * protected void think() {
  *     kick.setCommand("distance", 3);       // metres
  *     if (!kick.isFinished()) {
- *         kick.act(nao);                    // the robot must first stand behind the ball, in the stance
+ *         kick.act(nao);                    // first stand behind the ball in the posture Stance.POSTURE
  *     }
  * }
  * }</pre>

@@ -27,9 +27,9 @@ import org.robonewbie.protocol.telemetry.Drawing;
  * effect two messages later, because one message is always in transit.
  *
  * <p>Drawings appear in the studio's view of the robot's surroundings. All drawings of one cycle form a picture, which
- * is shown until the next picture, but for at most a second. Points are in metres from the centre of the head, as in
- * the field view; colours are CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio they have no
- * effect, so a finished program may keep them.
+ * is shown until the next one, but for at most a second. Points are relative to the centre of the head, in metres, as
+ * in the field view; colours are CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio, drawings
+ * have no effect, so a finished program may keep them.
  */
 public class Robot {
 
@@ -225,7 +225,7 @@ public class Robot {
      * Beams the robot to a pose in its own half. The referee allows this only before a kick-off and after a goal.
      *
      * @param x metres from the centre towards the opponents' goal, at most 0
-     * @param y metres from the centre to the left
+     * @param y metres to the left of the centre
      * @param degrees heading; 0 is towards the opponents' goal, positive is left
      */
     public final void beam(double x, double y, double degrees) {
@@ -259,7 +259,7 @@ public class Robot {
     /**
      * Draws a point.
      *
-     * @param place position, metres from the head
+     * @param place position relative to the centre of the head, in metres
      * @param colour CSS name or code
      */
     public final void drawPoint(Vector3 place, String colour) {
@@ -269,8 +269,8 @@ public class Robot {
     /**
      * Draws a line.
      *
-     * @param from start, metres from the head
-     * @param to end, metres from the head
+     * @param from start point relative to the centre of the head, in metres
+     * @param to end point relative to the centre of the head, in metres
      * @param colour CSS name or code
      */
     public final void drawLine(Vector3 from, Vector3 to, String colour) {
@@ -280,8 +280,8 @@ public class Robot {
     /**
      * Draws a horizontal circle.
      *
-     * @param centre metres from the head
-     * @param radius in metres
+     * @param centre centre of the circle relative to the centre of the head, in metres
+     * @param radius radius in metres
      * @param colour CSS name or code
      */
     public final void drawCircle(Vector3 centre, double radius, String colour) {
@@ -291,7 +291,7 @@ public class Robot {
     /**
      * Draws text.
      *
-     * @param place position, metres from the head
+     * @param place position relative to the centre of the head, in metres
      * @param text the text
      * @param colour CSS name or code
      */
@@ -313,7 +313,7 @@ public class Robot {
      * Shows the robot's estimated pose in the studio.
      *
      * @param x metres from the centre towards the opponents' goal
-     * @param y metres from the centre to the left
+     * @param y metres to the left of the centre
      * @param headingDegrees heading of the torso; 0 is towards the opponents' goal, positive is left
      */
     public final void publishPose(double x, double y, double headingDegrees) {

@@ -17,7 +17,7 @@ final class SimulatorChoice {
 
     private SimulatorChoice() {}
 
-    /** Refuses options that require an embedded simulator if the same source also names a server. */
+    /** Rejects options that require an embedded simulator if the same {@link OptionSource} also names a server. */
     static void check(Options options) {
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {

@@ -12,9 +12,9 @@ import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 
 /**
- * Start-up dialogue of a robot: creates it, joins a team, waits for its player number and side, beams to the starting
- * pose and stands there. Each message is answered exactly once, so the dialogue works with servers in lockstep and in
- * real time.
+ * Start-up dialogue of a robot: creates the robot, joins a team, waits for its player number and side, beams to the
+ * starting pose and stands there. Each message is answered exactly once, so the dialogue works with servers in lockstep
+ * and in real time.
  */
 final class StartDialogue {
 

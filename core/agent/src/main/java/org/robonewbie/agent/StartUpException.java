@@ -11,7 +11,7 @@ public final class StartUpException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message what happened, the value, and what to do
+     * @param message what happened, the value that caused it, and what to do
      */
     public StartUpException(String message) {
         super(message);

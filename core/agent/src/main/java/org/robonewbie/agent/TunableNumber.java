@@ -14,7 +14,7 @@ import java.io.Serializable;
 public record TunableNumber(String name, double usual, double least, double most, double value)
         implements Serializable {
 
-    /** Returns the number with another value, clamped to its range. */
+    /** Returns a copy with the given value, clamped to the range of the number. */
     TunableNumber withValue(double wanted) {
         double taken = Double.isNaN(wanted) ? value : Math.max(least, Math.min(most, wanted));
         return new TunableNumber(name, usual, least, most, taken);

@@ -58,7 +58,7 @@ public final class TunableNumbers {
     /**
      * Creates a robot with the given numbers instead of those in its file.
      *
-     * @param values values by name; other numbers have their default value
+     * @param values values by name; all other numbers have their default values
      * @param maker creates the robot, in this thread
      * @param <A> the robot's class
      * @return the robot
@@ -175,8 +175,8 @@ public final class TunableNumbers {
     }
 
     /**
-     * Reports numbers that their file sets but the program does not declare. Call this method after all numbers have
-     * been declared.
+     * Reports numbers in the file that the program does not declare. Call this method after all numbers have been
+     * declared.
      */
     void reportUnknown() {
         for (String name : wanted().keySet()) {
@@ -190,7 +190,7 @@ public final class TunableNumbers {
         }
     }
 
-    /** Reads the file when the first number is declared. */
+    /** Returns the values in the file, which is read on the first call. */
     private Map<String, Double> wanted() {
         Map<String, Double> values = wanted.orElseGet(() -> read(file, diagnostics));
         wanted = Optional.of(values);

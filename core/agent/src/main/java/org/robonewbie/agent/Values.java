@@ -9,7 +9,7 @@ import org.robonewbie.nao.math.PortableMath;
  * Valid values of an option.
  *
  * @param expected description of the valid values, for messages
- * @param condition accepts valid values
+ * @param condition predicate that accepts the valid values
  */
 record Values(String expected, Predicate<String> condition) {
 

@@ -90,7 +90,7 @@ public enum PlayMode {
     }
 
     /**
-     * Returns the play mode with a name from SimSpark's messages.
+     * Looks up a play mode by its name in SimSpark's messages.
      *
      * @param simSparkName the exact name
      * @return the play mode; empty for an unknown name, which a newer server may send

@@ -135,8 +135,8 @@ public final class Commands {
     /**
      * Beams the robot, and reports the call if the referee does not allow a beam.
      *
-     * @param x metres towards the opponents' goal
-     * @param y metres to the left
+     * @param x metres from the centre towards the opponents' goal
+     * @param y metres to the left of the centre
      * @param degrees heading
      */
     public void beam(double x, double y, double degrees) {

@@ -21,8 +21,8 @@ import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * The last readings of all sensors, in the body's frame; a missing or non-finite reading leaves the previous value
- * unchanged.
+ * The last readings of all sensors, in the body frame (x forward, y left, z up); a missing or non-finite reading leaves
+ * the previous value unchanged.
  */
 public final class SensorState {
 

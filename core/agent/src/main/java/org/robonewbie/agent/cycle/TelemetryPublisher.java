@@ -98,7 +98,7 @@ public final class TelemetryPublisher {
         self = Optional.of(pose);
     }
 
-    /** Publishes what the robot believes about the field after a new camera picture. */
+    /** Publishes the robot's beliefs about the field; called after each new camera picture. */
     void publishBelief(LocalFieldView view) {
         if (isWatched()) {
             publish(new TelemetryItem.Belief(things(view), self));

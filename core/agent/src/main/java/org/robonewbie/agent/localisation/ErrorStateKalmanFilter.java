@@ -127,9 +127,9 @@ final class ErrorStateKalmanFilter {
     /**
      * Corrects velocity and height using the kinematics of the support leg. Feet slip, so the deviations are large.
      *
-     * @param forward metres per second
-     * @param left metres per second
-     * @param height metres above the sole
+     * @param forward forward velocity in metres per second
+     * @param left velocity to the left in metres per second
+     * @param height height of the torso's centre above the sole, in metres
      */
     void stand(double forward, double left, double height) {
         Vector3 expected = new Pose2d(0, 0, pose().degrees()).toFrame(new Vector3(forward, left, 0));

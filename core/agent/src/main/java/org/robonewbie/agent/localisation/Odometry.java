@@ -76,12 +76,15 @@ public final class Odometry {
         return standing;
     }
 
-    /** {@return the movement of the torso in the last cycle, in metres forward and left in the frame of the support foot} */
+    /**
+     * {@return the movement of the torso in the last cycle, in the frame of the support foot: x forward, y left, in
+     * metres}
+     */
     Vector3 step() {
         return step;
     }
 
-    /** {@return height of the torso's centre above the sole of the support foot, metres} */
+    /** {@return the height of the torso's centre above the sole of the support foot, in metres} */
     double height() {
         return height;
     }
@@ -95,7 +98,7 @@ public final class Odometry {
      * Returns the current position of a resting object, based on a sighting within the last minute.
      *
      * @param item a known object
-     * @return metres from the head: x forward, y left, z up
+     * @return the position relative to the centre of the head, in metres: x forward, y left, z up
      */
     public Vector3 positionNow(FieldItem item) {
         Pose2d then = item.isKnown() ? history[index(item.lastSeenSeconds())] : pose;

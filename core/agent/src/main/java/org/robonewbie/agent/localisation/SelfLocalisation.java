@@ -26,8 +26,8 @@ import org.robonewbie.nao.model.RobotType;
 
 /**
  * Estimates the robot's pose on the field with a Kalman filter: the gyroscope, the accelerometer and {@link Odometry}
- * predict it, and each visible landmark corrects it, along with the height and tilt of the camera. The first pose
- * requires two landmarks in one picture; it is the best rigid fit of the sightings to the map.
+ * predict it, and each visible landmark corrects it, along with the estimated height and tilt of the torso. The first
+ * pose requires two landmarks in one picture; it is the best rigid fit of the sightings to the map.
  *
  * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
  *
@@ -124,7 +124,7 @@ public final class SelfLocalisation {
     /**
      * Sets the estimated pose, for example after a beam.
      *
-     * @param newPose in the coordinates of the robot's team
+     * @param newPose the pose in the coordinates of the robot's team
      */
     public void setPose(Pose2d newPose) {
         filter.begin(newPose, SET_METRES, SET_DEGREES);
@@ -149,23 +149,23 @@ public final class SelfLocalisation {
         return known;
     }
 
-    /** {@return seconds since the last correction by a landmark; infinite if there was none} */
+    /** {@return the time in seconds since the last correction by a landmark; infinite if there was none} */
     public double ageSeconds() {
         return nowSeconds - seenSeconds;
     }
 
-    /** {@return height of the torso's centre above the ground, metres} */
+    /** {@return the height of the torso's centre above the ground, in metres} */
     public double heightMetres() {
         return filter.torso().position().z();
     }
 
-    /** {@return forward tilt of the torso in degrees; 90 if it lies on its front} */
+    /** {@return the forward tilt of the torso in degrees; 90 if the robot lies on its front} */
     public double leanDegrees() {
         double down = -filter.torso().rotation().apply(new Vector3(1, 0, 0)).z();
         return PortableMath.toDegrees(PortableMath.asin(Math.max(-1, Math.min(1, down))));
     }
 
-    /** {@return tilt of the torso to the right in degrees} */
+    /** {@return the tilt of the torso to the right in degrees} */
     public double rollDegrees() {
         Rotation rotation = filter.torso().rotation();
         double left = rotation.apply(new Vector3(0, 1, 0)).z();
@@ -173,7 +173,7 @@ public final class SelfLocalisation {
         return Angles.atan2(left, up);
     }
 
-    /** {@return tilt of the torso in degrees, in any direction: 0 upright, 90 lying} */
+    /** {@return the tilt of the torso in degrees, in any direction: 0 upright, 90 lying} */
     public double tiltDegrees() {
         return BodyState.tiltDegrees(filter.torso().rotation().apply(new Vector3(0, 0, 1)));
     }

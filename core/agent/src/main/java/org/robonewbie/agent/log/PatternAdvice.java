@@ -29,7 +29,7 @@ final class PatternAdvice {
     }
 
     /**
-     * Returns whether the pattern has fewer per cent signs than there are values, so that some values are not shown.
+     * Returns whether the pattern has fewer per cent signs than there are values, so some values are not shown.
      */
     static boolean leavesValuesOut(String pattern, Object[] values) {
         return pattern.chars().filter(letter -> letter == '%').count() < values.length;

@@ -31,7 +31,10 @@ import org.robonewbie.nao.text.Spelling;
  */
 public final class MotionSequencer implements Motions {
 
-    /** Maximum number of motions in a transition: one from any state to the stance, and one from there to a walk. */
+    /**
+     * Maximum number of motions in a transition: one from any state to the state {@code stance}, and one from there to
+     * a walk.
+     */
     private static final int MAX_TRANSITIONS = 2;
 
     private final Motors motors;
@@ -51,7 +54,7 @@ public final class MotionSequencer implements Motions {
     /**
      * Creates an idle sequencer.
      *
-     * @param motors receive the joint speeds
+     * @param motors motors that receive the joint speeds
      * @param library source of motions
      * @param diagnostics receives reports about invalid motions
      * @param bodyPosition supplies the orientation of the torso
@@ -142,7 +145,7 @@ public final class MotionSequencer implements Motions {
      * Returns the name of the motion that currently moves a joint.
      *
      * @param joint the joint
-     * @return its name; empty if no motion moves the joint
+     * @return the motion's name; empty if no motion moves the joint
      */
     public Optional<String> turning(Joint joint) {
         return player.filter(playing -> !isFinished() && playing.turns(joint))
@@ -224,8 +227,8 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Inserts transitions to the start state of a motion: a single one if possible, otherwise one to the stance and one
-     * from there.
+     * Inserts transitions to the start state of a motion: a single one if possible, otherwise one to the state {@code
+     * stance} and one from there.
      */
     private void addTransitionsTo(MotionFile file) {
         for (int i = 0; i < MAX_TRANSITIONS && !states.canStart(file); i++) {

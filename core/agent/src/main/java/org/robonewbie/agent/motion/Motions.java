@@ -5,9 +5,9 @@ import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished}. It begins
- * from the current posture; if necessary, a walking robot stops first, and a standing robot that is to walk takes a
- * first step.
+ * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished} returns
+ * true. A motion begins from the current posture; if necessary, a walking robot stops first, and a standing robot that
+ * is to walk takes a first step.
  *
  * <pre>{@code
  * if (motions.isFinished()) {
@@ -64,7 +64,7 @@ public interface Motions {
      * {@code stand-up-from-left-side} or {@code stand-up-from-right-side}. If there is no motion for that side, the one
      * for the back is used.
      *
-     * @return whether it starts; false if the robot is upright or another motion is running
+     * @return whether the motion starts; false if the robot is upright or another motion is running
      */
     boolean startGetUp();
 
@@ -83,14 +83,16 @@ public interface Motions {
     /** {@return the name of the running motion; empty if none is running} */
     Optional<String> current();
 
-    /** {@return the number of the keyframe that is being approached, counted from 1; 0 if no motion is running} */
+    /**
+     * {@return the one-based number of the keyframe that the robot is approaching; 0 if no motion is running}
+     */
     int keyframe();
 
     /**
      * Sets whether a fallen robot gets up automatically before a motion that requires it to be on its feet; enabled by
      * default.
      *
-     * @param on false to play motions while the robot is lying on the ground
+     * @param on whether a fallen robot gets up; if false, it plays motions while lying on the ground
      */
     void setAutomaticGetUp(boolean on);
 

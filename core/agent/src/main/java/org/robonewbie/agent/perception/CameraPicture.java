@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The objects in a single camera picture. Directions are relative to the pose of the head at that time.
+ * The objects in a single camera picture. Directions are relative to the pose of the head at the time of the picture.
  *
  * @param sightings the recognised objects
  * @param truth the true positions, which only a simulator with the option {@code --truth} sends
@@ -29,9 +29,9 @@ public record CameraPicture(List<Sighting> sightings, Optional<Truth> truth) {
      * True positions in the frame of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre
      * of the field.
      *
-     * @param head the centre of the robot's head, in metres
+     * @param head position of the centre of the robot's head, in metres
      * @param headDegrees heading of the head; 0 is towards the opponents' goal, positive is left
-     * @param ball the centre of the ball, in metres
+     * @param ball position of the centre of the ball, in metres
      */
     public record Truth(Vector3 head, double headDegrees, Vector3 ball) {}
 }

@@ -34,9 +34,9 @@ public interface CameraTransformation {
      * Converts a direction relative to the head to the direction relative to a head that looks straight ahead.
      *
      * @param seen direction of an object relative to the head; bearing 0 is straight ahead of the head
-     * @param neckYawDegrees angle of the neck; positive is left
-     * @param neckPitchDegrees angle of the neck; positive is up
-     * @return its direction relative to the torso
+     * @param neckYawDegrees yaw angle of the neck; positive is left
+     * @param neckPitchDegrees pitch angle of the neck; positive is up
+     * @return the object's direction relative to the torso
      */
     Direction toFacingForward(Direction seen, double neckYawDegrees, double neckPitchDegrees);
 }

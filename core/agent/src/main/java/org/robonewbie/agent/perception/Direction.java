@@ -8,7 +8,7 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * Polar coordinates of an object, as seen by a robot that looks straight ahead.
  *
- * @param distance from the centre of the head, in metres
+ * @param distance distance from the centre of the head, in metres
  * @param bearing horizontal angle from the torso's forward direction in degrees; positive is left
  * @param elevation angle in degrees above the plane of the torso's forward and left axes; positive is up
  */

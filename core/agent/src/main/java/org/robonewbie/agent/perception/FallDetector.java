@@ -5,8 +5,8 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Detects falls with the accelerometer, whose reading at rest is 9.81 m/s² away from the ground. The impacts of the
- * feet in walking cause much higher but brief readings, which are clipped and smoothed.
+ * Detects falls with the accelerometer, whose reading at rest is 9.81 m/s², directed away from the ground. Foot impacts
+ * during walking cause much higher but brief readings, which are clipped and smoothed.
  */
 public final class FallDetector {
 

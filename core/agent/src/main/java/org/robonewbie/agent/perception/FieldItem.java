@@ -99,14 +99,14 @@ public class FieldItem {
         return isKnown() && seenSeconds == vision.pictureSeconds && ageSeconds() < 0.1;
     }
 
-    /** {@return seconds since the last sighting; infinite if there was none} */
+    /** {@return the time in seconds since the last sighting; infinite if there was none} */
     public final double ageSeconds() {
         return vision.nowSeconds - seenSeconds;
     }
 
     /**
-     * {@return simulated time of the last sighting in seconds, on the clock of {@code nao.getTime()}; minus infinity if
-     * there was none}
+     * {@return the simulated time of the last sighting in seconds, on the clock of {@code nao.getTime()}; minus
+     * infinity if there was none}
      */
     public final double lastSeenSeconds() {
         return seenSeconds;
@@ -141,8 +141,8 @@ public class FieldItem {
     }
 
     /**
-     * {@return degrees above the horizontal plane of the head, negative is below; 0 if the object was never seen, in
-     * which case the call is reported}
+     * {@return the angle in degrees above the horizontal plane of the head, negative is below; 0 if the object was
+     * never seen, in which case the call is reported}
      */
     public final double elevation() {
         checkKnown("elevation");
@@ -150,8 +150,8 @@ public class FieldItem {
     }
 
     /**
-     * {@return metres from the centre of the head: x forward, y left, z up; the origin if the object was never seen, in
-     * which case the call is reported}
+     * {@return the position relative to the centre of the head, in metres: x forward, y left, z up; the origin if the
+     * object was never seen, in which case the call is reported}
      */
     public final Vector3 position() {
         checkKnown("position");

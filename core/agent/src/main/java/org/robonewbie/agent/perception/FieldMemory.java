@@ -70,7 +70,7 @@ public final class FieldMemory implements LocalFieldView {
     /**
      * Sets the clock.
      *
-     * @param seconds simulated time
+     * @param seconds simulated time in seconds
      */
     public void setTime(double seconds) {
         vision.nowSeconds = seconds;

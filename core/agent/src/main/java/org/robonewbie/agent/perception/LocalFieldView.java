@@ -4,8 +4,8 @@ import java.util.List;
 import org.robonewbie.nao.Landmark;
 
 /**
- * The robot's memory of the field around it. The camera sees 120° in every third cycle; each object keeps the position of its
- * last sighting, converted to the view of a robot that looks straight ahead.
+ * The robot's memory of the field around it. The camera covers 120° and takes a picture in every third cycle; each
+ * object keeps the position of its last sighting, converted to the view of a robot that looks straight ahead.
  *
  * <p>Head rotations are compensated, by {@link CameraTransformation#SUM_OF_ANGLES} unless another transformation is set. Other
  * movements of the robot since the last sighting are not: the higher {@link FieldItem#ageSeconds}, the less reliable the

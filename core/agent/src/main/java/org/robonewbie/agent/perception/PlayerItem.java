@@ -42,23 +42,23 @@ public final class PlayerItem extends FieldItem {
                 : Direction.of(new Vector3(sum.x() / count, sum.y() / count, sum.z() / count));
     }
 
-    /** {@return the name of the robot's team} */
+    /** {@return the name of the other robot's team} */
     public String team() {
         return team;
     }
 
-    /** {@return the robot's player number, 1 to 11; 0 if it has none yet} */
+    /** {@return the other robot's player number, 1 to 11; 0 if it has none yet} */
     public int number() {
         return number;
     }
 
-    /** {@return whether the robot plays for the same team} */
+    /** {@return whether the other robot plays for the same team as this robot} */
     public boolean isTeamMate() {
         return teamMate;
     }
 
     /**
-     * Returns a part of the robot's body.
+     * Returns a part of the other robot's body.
      *
      * @param part the part
      * @return the part, whether or not it has been seen

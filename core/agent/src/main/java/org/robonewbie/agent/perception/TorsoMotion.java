@@ -15,9 +15,9 @@ public record TorsoMotion(Vector3 gyro, Vector3 acceleration) {
     public static final TorsoMotion AT_REST = new TorsoMotion(Vector3.ZERO, new Vector3(0, 0, 9.81));
 
     /**
-     * Returns a copy with another gyroscope reading.
+     * Returns a copy with the given gyroscope reading.
      *
-     * @param newGyro degrees per second
+     * @param newGyro angular velocity in degrees per second
      * @return the new readings
      */
     public TorsoMotion withGyro(Vector3 newGyro) {
@@ -25,9 +25,9 @@ public record TorsoMotion(Vector3 gyro, Vector3 acceleration) {
     }
 
     /**
-     * Returns a copy with another accelerometer reading.
+     * Returns a copy with the given accelerometer reading.
      *
-     * @param newAcceleration m/s²
+     * @param newAcceleration specific force in m/s²
      * @return the new readings
      */
     public TorsoMotion withAcceleration(Vector3 newAcceleration) {

@@ -56,7 +56,7 @@ public record Policy(
      * @param name name of the list
      * @param count expected number of parameters
      * @return the parameters
-     * @throws IllegalArgumentException if there is no such list, or it has another length
+     * @throws IllegalArgumentException if there is no such list, or its length is not {@code count}
      */
     public double[] numbers(String name, int count) {
         List<Double> found = numbers.getOrDefault(name, List.of());
@@ -77,7 +77,7 @@ public record Policy(
      *
      * @param wantedInputs the expected inputs
      * @param wantedOutputs the expected outputs
-     * @throws IllegalArgumentException if it has others; the message names the first difference
+     * @throws IllegalArgumentException if the inputs or outputs differ; the message names the first difference
      */
     public void require(List<Quantity> wantedInputs, List<Quantity> wantedOutputs) {
         require("input", inputs, wantedInputs);

@@ -4,7 +4,10 @@ import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Provider of puppets that use the walk and the motions of this framework; found by {@link java.util.ServiceLoader}. */
+/**
+ * Provider of manually controlled robots that use this framework's walk and motions; found by {@link
+ * java.util.ServiceLoader}.
+ */
 public final class RobotPuppetProvider implements PuppetProvider {
 
     /** Creates the provider. */

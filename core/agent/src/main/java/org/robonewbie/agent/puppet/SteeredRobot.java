@@ -24,7 +24,7 @@ public abstract class SteeredRobot implements Puppet {
     protected SteeredRobot() {}
 
     /**
-     * Returns the options of a puppet.
+     * Returns the options of a manually controlled robot.
      *
      * @param team name of its team
      * @param number its player number; 0 for any free number

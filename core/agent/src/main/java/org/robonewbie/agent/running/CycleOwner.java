@@ -2,7 +2,10 @@ package org.robonewbie.agent.running;
 
 import java.util.Locale;
 
-/** Owner of the cycle; determines the wording of reports about slow programs. */
+/**
+ * The owner of the cycle, either the framework or the program itself; determines the wording of reports about slow
+ * programs.
+ */
 public enum CycleOwner {
 
     /** The framework, which calls {@code think()}. */
@@ -29,8 +32,8 @@ public enum CycleOwner {
     /**
      * Describes a slow program.
      *
-     * @param slowness what makes it slow
-     * @param place the line, such as {@code " at Walker.java:9"}; empty if it is reported elsewhere
+     * @param slowness cause of the slow cycles
+     * @param place the line, such as {@code " at Walker.java:9"}; empty if the line is reported elsewhere
      * @return a sentence
      */
     public String finding(Slowness slowness, String place) {

@@ -38,7 +38,8 @@ public final class DeadlineMonitor implements MessagePort {
      *
      * @param port the monitored port
      * @param robot receives the reports
-     * @param slowPlace file and line where the robot's program spent its time; may be empty
+     * @param slowPlace supplies the file and line at which the robot's program spent its time; may supply an empty
+     *     string
      * @param nanoseconds the clock, such as {@link System#nanoTime}
      */
     public DeadlineMonitor(LinkPort port, RobotRuntime robot, Supplier<String> slowPlace, LongSupplier nanoseconds) {

@@ -16,7 +16,7 @@ public final class LogPrinter implements AutoCloseable {
      *
      * @param log the robot's log; lines that do not fit into memory go to a file
      * @param out the output
-     * @param atInterrupt also called if the program is interrupted
+     * @param atInterrupt called after printing if the program is interrupted
      */
     public LogPrinter(RunLog log, PrintStream out, Runnable atInterrupt) {
         this.log = log;

@@ -40,8 +40,8 @@ public final class PrototypeProbe {
     }
 
     /**
-     * Copies the numbers, strings and records that differ between two instances to a third one, including those in the
-     * program's own objects that its fields refer to.
+     * Copies the numbers, strings and records that differ between two instances to a third one, including those in
+     * objects of the program's own classes to which the fields refer.
      *
      * @param old instance created with the old numbers
      * @param fresh instance created with the new numbers

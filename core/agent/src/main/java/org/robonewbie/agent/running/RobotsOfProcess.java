@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.robonewbie.agent.log.Diagnostics;
 
 /**
- * Registry of robots whose programs run the cycle themselves, because their {@code main} may return normally despite
- * errors.
+ * Registry of the robots whose programs run the cycle themselves. It counts those with serious errors, because {@code
+ * main} may return normally despite errors.
  */
 public final class RobotsOfProcess {
 

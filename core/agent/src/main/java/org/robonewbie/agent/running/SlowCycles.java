@@ -28,8 +28,8 @@ final class SlowCycles {
     private record SlowCycle(long number, double milliseconds, StackSample cause) {
 
         /**
-         * Returns whether two slow cycles have the same cause. All cycles spent computing count as the same, because
-         * computation is spread over many lines.
+         * Returns whether two slow cycles have the same cause. All cycles spent computing count as having the same
+         * cause, because computation is spread over many lines.
          */
         boolean isLike(SlowCycle other) {
             boolean computes = cause.kind() == StackSample.Kind.COMPUTES;

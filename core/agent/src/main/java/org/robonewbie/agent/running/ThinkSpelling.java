@@ -20,7 +20,7 @@ public final class ThinkSpelling {
     private ThinkSpelling() {}
 
     /**
-     * Checks a program.
+     * Checks whether a program overrides a step of the cycle.
      *
      * @param program its class
      * @param framework the framework class that it extends
@@ -39,7 +39,7 @@ public final class ThinkSpelling {
     }
 
     /**
-     * Checks the methods of a program.
+     * Checks whether a step of the cycle is among the methods of a program.
      *
      * @param methods signatures of the methods of its class and all superclasses below the framework, such as
      *     {@code thnik()} or {@code think(double)}

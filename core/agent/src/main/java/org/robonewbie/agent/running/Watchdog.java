@@ -153,7 +153,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     /**
      * Returns whether the program itself has stalled: it is waiting for something, or it has used processor time. On a
      * busy computer even a short cycle may take a long time, so a program that has used little processor time is given
-     * six times as long. A program that runs the cycle itself may wait for user input.
+     * six times the usual limit. A program that runs the cycle itself may wait for user input.
      */
     private boolean isStalled(int patience, StackSample now) {
         if (ticks < patience) {

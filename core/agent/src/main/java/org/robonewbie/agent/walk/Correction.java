@@ -5,10 +5,10 @@ import org.robonewbie.nao.Joint;
 /**
  * Output of the balance control in one cycle of a step, see {@link BalanceGains}.
  *
- * @param anklePitchDegrees added to both ankles; positive raises the toes
- * @param hipPitchDegrees added to both hips; positive tilts the torso forward
- * @param ankleRollDegrees added to both ankles
- * @param hipRollDegrees added to both hips
+ * @param anklePitchDegrees added to the pitch of both ankles; positive raises the toes
+ * @param hipPitchDegrees added to the pitch of both hips; positive tilts the torso forward
+ * @param ankleRollDegrees added to the roll of both ankles
+ * @param hipRollDegrees added to the roll of both hips
  * @param swingForward shift of the swing foot's target forward, in metres
  * @param swingLeft shift of the swing foot's target to the left, in metres
  */

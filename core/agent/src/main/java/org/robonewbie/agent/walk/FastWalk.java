@@ -41,7 +41,7 @@ public final class FastWalk {
     }
 
     /**
-     * Creates a style with another step duration.
+     * Creates a style with the given step duration.
      *
      * @param stepMillis duration of a step in milliseconds, a multiple of 20
      * @param x {@link #PARAMETERS} coordinates

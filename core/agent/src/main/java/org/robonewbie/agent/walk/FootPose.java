@@ -21,7 +21,7 @@ public record FootPose(double forward, double left, double up, double yawDegrees
         return new FootPose(forward, left, metres, yawDegrees, toesDegrees);
     }
 
-    /** Returns the frame of the foot's box, given the ground frame below the torso. */
+    /** Returns the frame of the foot's collision box, given the ground frame below the torso. */
     CoordinateFrame on(CoordinateFrame ground) {
         return ground.moved(forward, left, up)
                 .turnedAboutZ(yawDegrees)

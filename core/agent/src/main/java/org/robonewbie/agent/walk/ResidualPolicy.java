@@ -12,9 +12,9 @@ import org.robonewbie.nao.motion.Mirror;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * A learned reflex: a network that moves the joints of both legs by up to {@link #RANGE_DEGREES} from the engine's posture. It
- * distinguishes swing leg and support leg instead of left and right: while the right leg swings, inputs and outputs are
- * mirrored.
+ * A learned reflex: a network that moves the joints of both legs by up to {@link #RANGE_DEGREES} from the engine's
+ * posture. It distinguishes the swing leg from the support leg, not left from right: while the right leg swings, inputs
+ * and outputs are mirrored.
  *
  * @param network maps {@link #INPUTS} to {@link #OUTPUTS}
  */
@@ -72,7 +72,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
      * Adds the outputs of a network to a posture.
      *
      * @param planned the engine's posture
-     * @param moment the robot's state in the step
+     * @param moment state of the walk in this cycle
      * @param outputs the {@link #OUTPUTS}, each from -1 to 1
      * @return the corrected posture
      */
@@ -97,7 +97,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
     /**
      * Computes the inputs of the network.
      *
-     * @param moment the robot's state in the step
+     * @param moment state of the walk in this cycle
      * @return the {@link #INPUTS}, as a new array
      */
     public static double[] inputs(WalkMoment moment) {

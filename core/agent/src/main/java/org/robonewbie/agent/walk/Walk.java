@@ -14,7 +14,7 @@ package org.robonewbie.agent.walk;
  * motion is running. The velocity changes from step to step, and no step can be interrupted, so a reaction takes about half a
  * second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} makes it get up.
  *
- * <p>Implemented by {@link WalkEngine}, which explains the method.
+ * <p>The postures are computed by {@link WalkEngine}, which explains the method.
  */
 public interface Walk {
 

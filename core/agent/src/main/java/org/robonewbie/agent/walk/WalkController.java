@@ -84,7 +84,10 @@ public final class WalkController implements Walk {
         return walking ? Optional.of("walk") : motions.current();
     }
 
-    /** {@return the current keyframe of the running motion, from 1; 0 if the robot walks or no motion is running} */
+    /**
+     * {@return the one-based number of the running motion's current keyframe; 0 if the robot walks or no motion is
+     * running}
+     */
     public int keyframe() {
         return walking ? 0 : motions.keyframe();
     }
@@ -123,7 +126,10 @@ public final class WalkController implements Walk {
         }
     }
 
-    /** Starts to walk from the stance; from another posture the robot first plays the motion {@code stand}. */
+    /**
+     * Starts to walk if the posture is close to {@link Stance}; otherwise the robot first plays the motion {@code
+     * stand}.
+     */
     private void start() {
         preparing = !preparing && !isNearStance() && motions.start("stand");
         if (!preparing) {

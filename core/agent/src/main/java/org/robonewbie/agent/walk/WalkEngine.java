@@ -26,8 +26,8 @@ import org.robonewbie.nao.motion.Posture;
  * </pre>
  *
  * <p>so that the midpoint between the feet moves with v. When the robot walks sideways or turns, the leg on the side of
- * the movement steps outward (twice as far, because it does so only in every other step), and the other leg follows in
- * the next step.
+ * the movement steps outward (by twice the distance per step, because it does so only in every other step), and the
+ * other leg follows in the next step.
  *
  * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of the feet and the torso:
  * {@link Step}, with the trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs.
@@ -102,12 +102,12 @@ public final class WalkEngine {
         wanted = newVelocity.within(style.most(), style.backward());
     }
 
-    /** {@return whether the robot stands in the stance and the requested velocity is zero} */
+    /** {@return whether the robot stands in the posture {@link Stance} and the requested velocity is zero} */
     public boolean isStanding() {
         return standing && wanted.isZero();
     }
 
-    /** Resets the engine to the stance. */
+    /** Resets the engine to the posture {@link Stance}. */
     public void reset() {
         standing = true;
         feetSideBySide = true;

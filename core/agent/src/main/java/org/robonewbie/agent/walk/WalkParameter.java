@@ -3,9 +3,9 @@ package org.robonewbie.agent.walk;
 import java.util.Arrays;
 
 /**
- * Parameters of a walk that a search can tune. Each has a coordinate, in which 0 is a conservative initial guess and 1 a
- * noticeable change: value = guess + unit · coordinate, within limits. Their order is that of the coordinates of {@link
- * WalkStyle#of}.
+ * Parameters of a walk that a search can tune. Each has a coordinate, in which 0 is a conservative initial guess and 1
+ * a noticeable change: value = guess + unit · coordinate, within limits. The constants are in the order of the
+ * coordinates of {@link WalkStyle#of}.
  */
 public enum WalkParameter {
     /** Height of the torso's centre above the soles, metres. */
@@ -99,7 +99,7 @@ public enum WalkParameter {
         return Arrays.stream(values()).mapToDouble(each -> each.standard).toArray();
     }
 
-    /** Returns the value of this parameter for given coordinates of all parameters. */
+    /** Returns the value of this parameter, given the coordinates of all parameters. */
     double value(double... coordinates) {
         return Math.max(least, Math.min(most, guess + unit * coordinates[ordinal()]));
     }

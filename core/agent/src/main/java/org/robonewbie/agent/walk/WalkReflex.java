@@ -13,7 +13,7 @@ public interface WalkReflex {
      * Corrects a posture.
      *
      * @param planned the engine's posture
-     * @param moment the robot's state in the step
+     * @param moment state of the walk in this cycle
      * @return the corrected posture
      */
     Posture corrected(Posture planned, WalkMoment moment);

@@ -60,8 +60,8 @@ public record WalkStyle(
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
 
     /**
-     * Maximum forward speed, in metres per second, to request from robots of type 3, which fall at higher speeds. With
-     * their longer steps they actually reach 0.65 m/s.
+     * Maximum requested forward speed, in metres per second, for robots of type 3, which fall if a higher speed is
+     * requested. With their longer steps they actually reach 0.65 m/s.
      */
     private static final double MAX_FORWARD_OF_LONGEST_LEGS = 0.5;
 
@@ -87,7 +87,7 @@ public record WalkStyle(
     }
 
     /**
-     * Creates the standard walk with other coordinates.
+     * Creates a variant of the standard walk with the given coordinates.
      *
      * @param x coordinates as for {@link #of}
      * @return a style with the step duration and the maximum speeds of the standard walk
@@ -126,12 +126,12 @@ public record WalkStyle(
     }
 
     /**
-     * Returns this style with other limits.
+     * Returns a copy with the given limits.
      *
      * @param newMost maximum speeds
      * @param newBackward maximum speed backward, metres per second
      * @param newChange maximum change of each speed from one step to the next
-     * @return the changed style
+     * @return the copy
      */
     public WalkStyle withLimits(WalkVelocity newMost, double newBackward, WalkVelocity newChange) {
         return new WalkStyle(

@@ -18,8 +18,8 @@ public record WalkVelocity(double forward, double left, double turn) {
     }
 
     /**
-     * Scales the velocity down to given limits; its direction is preserved. The limits form an octahedron: a robot that
-     * moves at half of one maximum speed can use at most half of the others.
+     * Scales the velocity down to the given limits; its direction is preserved. The limits form an octahedron: a robot
+     * that moves at half of one maximum speed can use at most half of the others.
      *
      * @param most maximum speeds
      * @param backward maximum speed backward, metres per second

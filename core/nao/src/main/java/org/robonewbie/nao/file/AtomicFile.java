@@ -14,8 +14,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * Atomic writes: a file appears under its name completely or not at all. Until it is complete, its name has the suffix {@code
- * .part}, so that a killed program or a full disk leaves an existing file unchanged.
+ * Atomic writes: a file appears under its name completely or not at all. Until the file is complete, its name has the
+ * suffix {@code .part}, so a killed program or a full disk leaves an existing file unchanged.
  *
  * <pre>{@code
  * AtomicFile.write(Path.of("report.json"), report.toJson());
@@ -34,7 +34,7 @@ public final class AtomicFile {
      * Writes a text file in UTF-8, replacing an existing one.
      *
      * @param file the file
-     * @param text the content of the file
+     * @param text the contents of the file
      * @throws UnwritableFileException if the file cannot be written; no partial file remains
      */
     public static void write(Path file, String text) throws UnwritableFileException {
@@ -46,13 +46,13 @@ public final class AtomicFile {
      * finishes last wins.
      *
      * @param file the file
-     * @param bytes the content of the file
+     * @param bytes the contents of the file
      * @throws UnwritableFileException if the file cannot be written; no partial file remains
      */
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
         String unique = UUID.randomUUID().toString().substring(0, DIGITS);
         Path part = file.resolveSibling(
-                "." + unique + UNFINISHED); // without the file's name, which may already have the maximum length
+                "." + unique + UNFINISHED); // omits the file's name, which may already have the maximum length
         try {
             try {
                 Files.write(part, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
@@ -66,10 +66,10 @@ public final class AtomicFile {
     }
 
     /**
-     * Returns the path of a file that other programs may read while it is being written.
+     * Returns the temporary path of a file that is being written; other programs may read it there.
      *
      * @param file the final path
-     * @return the path until the file is complete
+     * @return the path that the file has until it is complete
      */
     public static Path part(Path file) {
         return file.resolveSibling(file.getFileName() + UNFINISHED);

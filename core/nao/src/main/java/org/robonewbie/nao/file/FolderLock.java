@@ -42,8 +42,8 @@ public final class FolderLock implements AutoCloseable {
     }
 
     /**
-     * Tries to lock the file; returns whether another program holds the lock. Only one byte far beyond the content is
-     * locked, because a mandatory lock on the content, as on Windows, would prevent others from reading it.
+     * Tries to lock the file; returns whether another program holds the lock. Only one byte far beyond the contents is
+     * locked, because a mandatory lock on the contents, as on Windows, would prevent other programs from reading them.
      */
     static boolean isTaken(FileChannel channel) throws IOException {
         try {

@@ -62,8 +62,8 @@ public final class PathEncoding {
     }
 
     /**
-     * Returns whether a name could not be decoded; the name of an existing file may really contain the replacement
-     * character.
+     * Returns whether a name could not be decoded. The name of an existing file does not count, because it may really
+     * contain the replacement character.
      */
     private static boolean isLost(String name) {
         try {

@@ -40,7 +40,8 @@ public final class PropertiesFile {
      *
      * @param file the file
      * @return the values by name, in the order of the file; the value is empty if a line has only a name
-     * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message names file and line
+     * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message names the file and
+     *     line
      */
     public static Map<String, String> read(Path file) throws UnreadableFileException {
         PropertiesFile properties = new PropertiesFile(file);

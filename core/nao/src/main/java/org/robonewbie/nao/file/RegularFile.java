@@ -19,7 +19,7 @@ public final class RegularFile {
      *
      * @param file the file, or a symbolic link to one
      * @param maxBytes maximum accepted size in bytes
-     * @return the content of the file
+     * @return the contents of the file
      * @throws UnreadableFileException if the file does not exist, is not a regular file, is larger than {@code maxBytes}, or cannot
      *     be read
      */

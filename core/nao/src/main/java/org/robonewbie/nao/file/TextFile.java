@@ -28,7 +28,8 @@ public final class TextFile {
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if the file cannot be read or is not text; the message names file, line and what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message names the file and line,
+     *     and says what to do
      */
     public static DecodedText read(Path file) throws UnreadableFileException {
         byte[] bytes = RegularFile.read(file, MAX_BYTES);
@@ -45,7 +46,8 @@ public final class TextFile {
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if the file cannot be read or is not text; the message names file, line and what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message names the file and line,
+     *     and says what to do
      */
     public static DecodedText readAndNote(Path file) throws UnreadableFileException {
         DecodedText text = read(file);

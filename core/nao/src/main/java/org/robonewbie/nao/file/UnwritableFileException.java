@@ -8,7 +8,9 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.robonewbie.nao.text.PrintableText;
 
-/** Thrown when a file cannot be written. The message for the user names the file, the reason and what to do. */
+/**
+ * Thrown when a file cannot be written. The message for the user names the file and the reason, and says what to do.
+ */
 public final class UnwritableFileException extends IOException {
 
     private static final long serialVersionUID = 1L;

@@ -68,7 +68,7 @@ public record Translation2d(double x, double y) {
     }
 
     /**
-     * Returns the point at a distance from this one in the direction of another.
+     * Returns the point at the given distance from this one, in the direction of another point.
      *
      * @param other the point that gives the direction
      * @param metres distance from this point in metres

@@ -13,7 +13,10 @@ public final class BodyPoses {
 
     static final String HEAD = "head";
 
-    /** Height below which a corner counts as touching the ground; the soles of a standing robot tilt slightly. */
+    /**
+     * Height, in metres, below which a corner counts as touching the ground; the soles of a standing robot tilt
+     * slightly.
+     */
     private static final double TOUCH_METRES = 0.012;
 
     private static final int CORNERS = 8;

@@ -29,7 +29,7 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     public static final CoordinateFrame ORIGIN = new CoordinateFrame(Vector3.ZERO, X, Y, Z);
 
     /**
-     * Creates the frame with a pose.
+     * Creates a frame with the given pose.
      *
      * @param pose position and rotation of the frame
      * @return the frame

@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.Posture;
  *
  * <pre>{@code
  * BodyPoses body = ForwardKinematics.of(RobotType.TYPE_0).poses(posture);
- * Vector3 leftFoot = body.foot(Leg.LEFT).position();   // metres from the torso's centre
+ * Vector3 leftFoot = body.foot(Leg.LEFT).position();   // relative to the torso's centre, in metres
  * }</pre>
  */
 public final class ForwardKinematics {

@@ -3,7 +3,10 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Posture;
 
-/** The joint angles of one leg that bring its foot to a target pose, or as close as the joints' ranges allow. Immutable. */
+/**
+ * The joint angles of one leg that bring its foot to a target pose, or as close to it as the joints' ranges allow.
+ * Immutable.
+ */
 public final class LegSolution {
 
     private static final double REACHED_METRES = 1e-4;

@@ -69,8 +69,8 @@ public record MathFingerprint(String function, long expected, long actual) {
     }
 
     /**
-     * Returns, for the kinds 0 to 3, a double with random bits, a number from -1 to 1, one from -10 to 10, and one of
-     * moderate magnitude; further kinds repeat these.
+     * Returns a double with random bits for kind 0, a number from -1 to 1 for kind 1, from -10 to 10 for kind 2, and of
+     * moderate magnitude for kind 3; higher kinds repeat these four.
      */
     static double argument(SplittableRandom random, int kind) {
         double between = 2 * random.nextDouble() - 1;

@@ -1,7 +1,7 @@
 package org.robonewbie.nao.math;
 
 /**
- * Portable versions of the functions of {@link Math} whose last bit depends on the platform.
+ * Portable versions of those functions of {@link Math} whose results may differ in the last bit between platforms.
  *
  * <p>A walking robot amplifies a difference in the last bit of a sine into a different step within seconds.
  * {@link Math#sin} and similar functions may be off by one unit in the last place, depending on the JVM, processor and
@@ -187,7 +187,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the rounding error of a product: the exact product is {@code a * b} plus this}
+     * {@return the rounding error of a product: the exact product is {@code a * b} plus this error}
      *
      * <p>Dekker's algorithm (1971): each factor is split into halves of 26 bits, whose products are exact.
      *

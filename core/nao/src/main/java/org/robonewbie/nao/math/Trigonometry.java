@@ -76,8 +76,8 @@ final class Trigonometry {
     }
 
     /**
-     * Returns the sine of a non-negative angle plus a number of quarter turns. The remainder of medium angles has its own branch, so
-     * that escape analysis can avoid its allocation.
+     * Returns the sine of a non-negative angle plus the given number of quarter turns. The remainder of medium angles
+     * has its own branch, so that escape analysis can avoid its allocation.
      */
     private static double sinTurned(double angle, int quarterTurns) {
         if (angle < HalfPiRemainder.LARGE) {
@@ -86,7 +86,7 @@ final class Trigonometry {
         return sinTurned(HalfPiRemainder.ofLarge(angle), quarterTurns);
     }
 
-    /** Returns the sine of a reduced angle plus a number of quarter turns. */
+    /** Returns the sine of a reduced angle plus the given number of quarter turns. */
     private static double sinTurned(HalfPiRemainder angle, int quarterTurns) {
         return switch ((angle.quadrant() + quarterTurns) & 3) {
             case 0 -> sinNearZero(angle.head(), angle.tail());

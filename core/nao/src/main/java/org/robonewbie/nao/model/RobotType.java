@@ -3,7 +3,8 @@ package org.robonewbie.nao.model;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The five variants of the NAO in SimSpark ({@code naorobottypes.rb}). Masses and link sizes are the same in all of them.
+ * The five variants of the NAO in SimSpark ({@code naorobottypes.rb}). Masses and link sizes are the same for all of
+ * them.
  *
  * <p>Lengths in metres, speeds in radians per second.
  */
@@ -50,11 +51,11 @@ public enum RobotType {
     }
 
     /**
-     * Returns the name of this robot's variant of a motion. Types 1 and 3, which have longer legs, use the motion with the suffix
-     * {@code -long-legs}.
+     * Returns the name of a motion's variant for this robot type. Types 1 and 3, which have longer legs, use the motion
+     * with the suffix {@code -long-legs}.
      *
      * @param motion the name of the motion for the standard robot, such as {@code quick-stand-up-from-back}
-     * @return the name of the motion for this robot
+     * @return the name of the variant
      */
     public String ownMotion(String motion) {
         return thighZ < TYPE_0.thighZ ? motion + "-long-legs" : motion;

@@ -3,7 +3,7 @@ package org.robonewbie.nao.motion;
 import org.robonewbie.nao.Joint;
 
 /**
- * The path of a joint between two keyframes. Implement it for smoother motions.
+ * The path of a joint between two keyframes. Implement this interface for smoother motions.
  *
  * <pre>{@code
  * Interpolation smooth = (section, joint, fraction) -> {

@@ -3,7 +3,7 @@ package org.robonewbie.nao.motion;
 import org.robonewbie.nao.Joint;
 
 /**
- * The last sensor reading of each joint's angle; 0 for a joint without a reading yet.
+ * The last sensor reading of each joint's angle; 0 before the first reading.
  *
  * <pre>{@code
  * joints.sense(Joint.NECK_YAW, 12.5);

@@ -6,7 +6,7 @@ package org.robonewbie.nao.motion;
  *
  * @param start the robot's posture when the motion began
  * @param motion the motion
- * @param index index of the keyframe at the end of the interval, from 0
+ * @param index zero-based index of the keyframe at the end of the interval
  */
 public record KeyframeInterval(Posture start, Motion motion, int index) {
 
@@ -28,12 +28,12 @@ public record KeyframeInterval(Posture start, Motion motion, int index) {
         return postureAt(index);
     }
 
-    /** {@return the posture before {@link #from}; at the beginning of the motion {@link #from} itself} */
+    /** {@return the posture before {@link #from}; at the beginning of the motion, {@link #from} itself} */
     public Posture before() {
         return postureAt(index - 2);
     }
 
-    /** {@return the posture after {@link #to}; at the end of the motion {@link #to} itself} */
+    /** {@return the posture after {@link #to}; at the end of the motion, {@link #to} itself} */
     public Posture after() {
         return postureAt(index + 1);
     }

@@ -27,7 +27,7 @@ public record Motion(String name, List<Keyframe> keyframes) {
     }
 
     /**
-     * Returns this motion under another name.
+     * Returns a copy of this motion with the given name.
      *
      * @param newName the new name
      * @return the renamed motion
@@ -51,7 +51,7 @@ public record Motion(String name, List<Keyframe> keyframes) {
     }
 
     /**
-     * Returns this motion slowed down or sped up.
+     * Returns a slower or faster copy of this motion.
      *
      * @param factor the factor for each duration; above 1 is slower
      * @return the same postures with scaled durations, rounded to whole cycles of 20 ms, at least one

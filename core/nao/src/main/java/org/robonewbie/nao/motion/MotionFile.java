@@ -17,10 +17,10 @@ import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
- * The content of a motion file, including comments. Each line with a keyframe holds its duration in milliseconds and 22 angles in
- * degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //} starts a comment, and a
- * comment {@code // key: value} sets a property. This is the format of the original RoboNewbie framework. Immutable: each change
- * returns a new file in which all other lines keep their exact text.
+ * The contents of a motion file, including comments. Each line with a keyframe holds its duration in milliseconds and
+ * 22 angles in degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //} starts
+ * a comment, and a comment {@code // key: value} sets a property. This is the format of the original RoboNewbie
+ * framework. Immutable: each change returns a new file in which all other lines keep their exact text.
  *
  * <pre>{@code
  * MotionFile file = MotionFiles.load(Path.of("wave.txt"));
@@ -50,7 +50,7 @@ public final class MotionFile {
      * Parses the text of a motion file.
      *
      * @param name the file's name, used in messages, such as {@code wave.txt}
-     * @param text the content of the file
+     * @param text the contents of the file
      * @return the file; lines that cannot be parsed are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, String text) {
@@ -92,9 +92,9 @@ public final class MotionFile {
     }
 
     /**
-     * Creates a new file.
+     * Creates a file that contains a motion.
      *
-     * @param motion the content of the file
+     * @param motion the motion
      * @return a file with one line for each keyframe
      */
     public static MotionFile of(Motion motion) {
@@ -130,7 +130,7 @@ public final class MotionFile {
         return new Motion(name.replaceFirst("\\.[^.]*$", ""), keyframes);
     }
 
-    /** {@return the keyframes of all lines that can be parsed, in the order of the file} */
+    /** {@return the keyframes of all lines that can be parsed, in file order} */
     public List<Keyframe> keyframes() {
         return lines.stream()
                 .filter(Frame.class::isInstance)
@@ -138,7 +138,10 @@ public final class MotionFile {
                 .toList();
     }
 
-    /** {@return one problem for each line that is neither a keyframe nor a comment, or one if the bytes cannot be decoded} */
+    /**
+     * {@return one problem for each line that is neither a keyframe nor a comment, or a single one if the bytes cannot
+     * be decoded}
+     */
     public List<MotionProblem> errors() {
         if (decodingError.isPresent()) {
             return List.of(decodingError.get());
@@ -154,7 +157,7 @@ public final class MotionFile {
 
     /**
      * {@return warnings about values that a robot cannot play exactly as written, such as angles beyond a joint's range
-     * and durations that are not whole cycles, in the order of the file}
+     * and durations that are not whole cycles, in file order}
      */
     public List<MotionProblem> warnings() {
         List<MotionProblem> warnings = new ArrayList<>();
@@ -232,7 +235,7 @@ public final class MotionFile {
     /**
      * Replaces a keyframe. Unchanged numbers keep their original digits.
      *
-     * @param index index of the keyframe, from 0
+     * @param index zero-based index of the keyframe
      * @param keyframe the new keyframe
      * @return the changed file
      * @throws IndexOutOfBoundsException if there is no such keyframe

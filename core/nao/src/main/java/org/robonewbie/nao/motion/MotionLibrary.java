@@ -9,9 +9,10 @@ import java.util.TreeSet;
 import org.robonewbie.nao.text.FileName;
 
 /**
- * Finds motions by name, first among the user's and then among those shipped with the framework. A new file is a new motion;
- * nothing has to be registered. The user's files are read again on each call, so an edit takes effect at the next start of the
- * motion. A motion with {@code left} in its name is also available mirrored with {@code right}, and vice versa.
+ * Finds motions by name, first among the user's motions and then among those shipped with the framework. A new file is
+ * a new motion; nothing has to be registered. The user's files are read again on each call, so an edit takes effect the
+ * next time the motion starts. A motion with {@code left} in its name is also available mirrored with {@code right},
+ * and vice versa.
  *
  * <pre>{@code
  * MotionLibrary library = MotionFiles.library();

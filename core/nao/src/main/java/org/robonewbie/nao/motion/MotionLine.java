@@ -157,7 +157,7 @@ sealed interface MotionLine {
         }
     }
 
-    /** A word in a line; columns are counted from 0. */
+    /** A word in a line, with its zero-based column. */
     record Word(String text, int column) {
 
         private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
@@ -188,7 +188,8 @@ sealed interface MotionLine {
         }
 
         /**
-         * Explains why this word is not a valid number at an index of the line; returns an empty string if it is valid.
+         * Explains why this word is not valid as the number with the given zero-based index in its line; returns an
+         * empty string if it is valid.
          */
         String problem(int index) {
             if (index == 0) {

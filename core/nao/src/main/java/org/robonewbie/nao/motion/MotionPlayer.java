@@ -10,7 +10,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Plays one motion: calculates a speed for each joint and cycle from the keyframes. Needs no connection to a simulator.
+ * Plays one motion: calculates a speed for each joint and cycle from the keyframes. It needs no connection to a
+ * simulator.
  *
  * <pre>{@code
  * MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
@@ -69,8 +70,8 @@ public final class MotionPlayer {
     }
 
     /**
-     * Creates a player for the motion of a file. A file with the comment {@code // play: 1.1} is played by the rule of RoboNewbie
-     * 1.1, any other with the given interpolation.
+     * Creates a player for the motion of a file. A file with the comment {@code // play: 1.1} is played by the rule of
+     * RoboNewbie 1.1, and any other file with the given interpolation.
      *
      * @param file the file
      * @param speed speed factor; 1 plays as written, 2 twice as fast
@@ -83,12 +84,15 @@ public final class MotionPlayer {
         return new MotionPlayer(motion, interpolation, old ? Optional.of(new OriginalRule(motion)) : Optional.empty());
     }
 
-    /** {@return the motion that is played} */
+    /** {@return the motion that this player plays} */
     public Motion motion() {
         return motion;
     }
 
-    /** {@return the index of the keyframe that the robot is approaching, from 0; the last one after the end} */
+    /**
+     * {@return the zero-based index of the keyframe that the robot is approaching; after the end, the index of the last
+     * one}
+     */
     public int keyframe() {
         return original.map(OriginalRule::keyframe).orElse(keyframe);
     }
@@ -251,8 +255,8 @@ public final class MotionPlayer {
     }
 
     /**
-     * Returns the cycle in which each keyframe is reached: the nearest to its time, but later than that of the previous
-     * keyframe.
+     * Returns the cycle in which each keyframe is reached: the cycle nearest to the keyframe's time, but later than
+     * that of the previous keyframe.
      */
     private static int[] keyframeEnds(Motion motion) {
         int[] ends = new int[motion.keyframes().size()];

@@ -3,8 +3,8 @@ package org.robonewbie.nao.motion;
 /**
  * An error or a warning about a motion file.
  *
- * @param line line number, from 1
- * @param column column number, from 1
+ * @param line one-based line number
+ * @param column one-based column number
  * @param text description, with what was found and what was expected
  */
 public record MotionProblem(int line, int column, String text) {

@@ -15,7 +15,10 @@ import org.robonewbie.nao.Joint;
  */
 public final class Motors {
 
-    /** Distance to the mechanical stop at which a joint is stopped; at the stop itself a simulator ignores commands. */
+    /**
+     * Distance from the mechanical stop, in degrees, at which a joint is stopped; at the stop itself, simulators ignore
+     * commands.
+     */
     private static final double MARGIN_DEGREES = 0.1;
 
     private static final Joint[] JOINTS = Joint.values();

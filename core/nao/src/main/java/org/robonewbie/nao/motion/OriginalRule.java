@@ -69,7 +69,10 @@ final class OriginalRule {
         return (keyframes.get(keyframe).posture().degrees(joint) - expected) / (remaining - 1);
     }
 
-    /** Returns the index of the keyframe that the robot is approaching; the last one after the end. */
+    /**
+     * Returns the zero-based index of the keyframe that the robot is approaching; after the end, the index of the last
+     * one.
+     */
     int keyframe() {
         return Math.max(0, Math.min(keyframe, keyframes.size() - 1));
     }

@@ -148,7 +148,7 @@ public final class StateReader {
      * Reads a collection.
      *
      * @param <T> type of the elements
-     * @param reader reads one element of at least one byte
+     * @param reader reads one element, which occupies at least one byte
      * @return a new list of the elements, in the order in which they were written
      */
     public <T> List<T> getAll(Supplier<T> reader) {
@@ -160,7 +160,7 @@ public final class StateReader {
         return elements;
     }
 
-    /** {@return the number of elements that follow, each of at least one byte} */
+    /** {@return the number of elements that follow, each of which occupies at least one byte} */
     public int getCount() {
         int count = getInt();
         if (count < 0 || count > end - next) {

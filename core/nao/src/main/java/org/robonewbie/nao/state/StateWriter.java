@@ -140,7 +140,7 @@ public final class StateWriter {
         elements.forEach(writer);
     }
 
-    /** {@return a copy of all bytes so far} */
+    /** {@return a copy of all bytes written so far} */
     public byte[] toBytes() {
         return Arrays.copyOf(bytes, length);
     }

@@ -9,7 +9,7 @@ import java.util.Optional;
  *
  * <p>Source: Unicode Technical Standard 39, "confusables", reduced to the characters that occur in practice.
  *
- * @param number position in the text in characters, from 1
+ * @param number one-based position in the text, in characters
  * @param codePoint the character
  */
 public record ConfusableCharacter(int number, int codePoint) {

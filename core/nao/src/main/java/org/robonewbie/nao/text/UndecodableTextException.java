@@ -21,7 +21,7 @@ public final class UndecodableTextException extends IOException {
         return problem;
     }
 
-    /** {@return the number of the first line that could not be decoded, from 1} */
+    /** {@return the one-based number of the first line that could not be decoded} */
     public int line() {
         return line;
     }

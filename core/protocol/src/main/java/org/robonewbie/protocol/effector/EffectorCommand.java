@@ -26,7 +26,7 @@ public sealed interface EffectorCommand {
         }
 
         /**
-         * Returns the command that creates a robot of a type.
+         * Returns the command that creates a robot of the given type.
          *
          * @param type the robot type, 0 to 4
          * @return the command
@@ -42,7 +42,7 @@ public sealed interface EffectorCommand {
      * Joins a team: {@code (init (unum 1)(teamname Stars))}.
      *
      * @param number requested shirt number, 1 to 11, or 0 to let the simulator choose
-     * @param team name of the team; empty if the message has none
+     * @param team name of the team; empty if the message contains none
      */
     record JoinTeam(int number, String team) implements EffectorCommand {}
 
@@ -103,9 +103,9 @@ public sealed interface EffectorCommand {
         }
     }
 
-    /** Asks the referee for pass mode, in which opponents must keep away: {@code (pass)}. */
+    /** Requests pass mode, in which opponents must keep away from the ball: {@code (pass)}. */
     record RequestPass() implements EffectorCommand {}
 
-    /** Marks the end of the agent's commands of this cycle: {@code (syn)}. */
+    /** Marks the end of the agent's commands for this cycle: {@code (syn)}. */
     record Synchronise() implements EffectorCommand {}
 }

@@ -13,7 +13,7 @@ import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
  * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, a format that all servers accept.
- * Does not allocate.
+ * The writer does not allocate memory.
  *
  * <pre>{@code
  * new EffectorMessageWriter(buffer).hingeSpeed("he1", 0.5).synchronise();
@@ -150,7 +150,7 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that asks the referee for pass mode.
+     * Writes the command that requests pass mode.
      *
      * @return this writer
      */
@@ -160,7 +160,7 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that marks the end of this cycle's commands.
+     * Writes the command that marks the end of the commands for this cycle.
      *
      * @return this writer
      */

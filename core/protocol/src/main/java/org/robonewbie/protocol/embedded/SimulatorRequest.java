@@ -8,7 +8,7 @@ import java.util.OptionalLong;
  * Configuration of an embedded simulator.
  *
  * @param agentPort TCP port for agents in other processes; 0 for any free port
- * @param seed random seed; empty to draw one
+ * @param seed random seed; empty to choose one at random
  * @param fast whether to run as fast as possible instead of in real time
  * @param seconds simulated seconds after which the simulation stops; empty to run until it is closed
  * @param headless whether to run without the studio

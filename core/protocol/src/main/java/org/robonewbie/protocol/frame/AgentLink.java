@@ -38,7 +38,7 @@ public interface AgentLink extends AutoCloseable {
 
     /**
      * Registers the agent's state with a simulator in the same process. While the agent waits for its next message, the
-     * simulator can save and restore this state together with the world. Other simulators ignore it.
+     * simulator can save and restore this state together with the world. Other simulators ignore the call.
      *
      * @param agent the state of the agent
      */

@@ -5,7 +5,7 @@ import org.robonewbie.protocol.order.PlayerNumber;
 /**
  * A foul called by the referee.
  *
- * @param index index of the foul in the match, from 1
+ * @param index one-based index of the foul in the match
  * @param type type of the foul
  * @param player the offending robot
  */

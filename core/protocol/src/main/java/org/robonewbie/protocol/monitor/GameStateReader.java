@@ -44,7 +44,7 @@ final class GameStateReader {
                 time, teamLeft, teamRight, half, scoreLeft, scoreRight, playMode, passWaitLeft, passWaitRight);
     }
 
-    /** Returns the fouls of the last message. */
+    /** Returns the fouls in the last message. */
     List<Foul> fouls() {
         return List.copyOf(fouls);
     }

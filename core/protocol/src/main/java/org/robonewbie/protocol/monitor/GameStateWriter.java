@@ -23,7 +23,10 @@ final class GameStateWriter {
         this.out = out;
     }
 
-    /** Writes the environment and the full state. With {@code toAll}, later partial messages are relative to this one. */
+    /**
+     * Writes the environment and the full state. If {@code toAll} is true, later partial messages are relative to this
+     * one.
+     */
     void writeFull(MonitoredGame state, List<Foul> fouls, boolean toAll) {
         out.text("(");
         writeEnvironment();

@@ -33,7 +33,7 @@ public final class MonitorMessageWriter {
      * @param state the state of the match
      * @param fouls all fouls of the match in order; those already sent are omitted
      * @param nodes the scene
-     * @return the message, valid until the next one
+     * @return the message, valid until the next message is written
      */
     public MessageBuffer writeFull(MonitoredGame state, List<Foul> fouls, List<? extends SceneNode> nodes) {
         return writeFull(state, fouls, nodes, true);
@@ -44,7 +44,7 @@ public final class MonitorMessageWriter {
      *
      * @param state the state of the match
      * @param nodes the scene
-     * @return the message, valid until the next one
+     * @return the message, valid until the next message is written
      */
     public MessageBuffer writeFullForNewcomer(MonitoredGame state, List<? extends SceneNode> nodes) {
         return writeFull(state, List.of(), nodes, false);
@@ -56,7 +56,7 @@ public final class MonitorMessageWriter {
      * @param state the state of the match
      * @param fouls all fouls of the match in order; those already sent are omitted
      * @param nodes the scene, with the same structure as in the last full message
-     * @return the message, valid until the next one
+     * @return the message, valid until the next message is written
      */
     public MessageBuffer writePartial(MonitoredGame state, List<Foul> fouls, List<? extends SceneNode> nodes) {
         buffer.clear();

@@ -9,7 +9,7 @@ import org.robonewbie.protocol.sexp.Token;
 /** Parses the scene of a monitor message. Each method starts after the opening parenthesis of its list. */
 final class SceneReader {
 
-    /** Maximum nesting depth that is accepted; the soccer scene has four levels. */
+    /** Maximum accepted nesting depth; the soccer scene has four levels. */
     private static final int MAX_DEPTH = 64;
 
     private final SexpReader in;

@@ -20,7 +20,7 @@ final class SceneWriter {
         this.out = out;
     }
 
-    /** Writes the full tree. With {@code toAll}, later partial messages are relative to this one. */
+    /** Writes the full tree. If {@code toAll} is true, later partial messages are relative to this one. */
     void writeFull(List<? extends SceneNode> nodes, boolean toAll) {
         out.text("(");
         writeFullNodes(nodes, toAll);

@@ -7,8 +7,8 @@ import org.robonewbie.nao.Vector3;
 /**
  * A transform in the scene graph, relative to its parent.
  *
- * <p>A 4 × 4 matrix in column-major order: the columns are the directions of the x, y and z axes, each followed by 0, and the
- * position, followed by 1. Elements have single precision as in SimSpark.
+ * <p>The transform is a 4 × 4 matrix in column-major order: the columns are the directions of the x, y and z axes, each
+ * followed by 0, and the position, followed by 1. Elements have single precision as in SimSpark.
  */
 public final class TransformNode implements SceneNode {
 
@@ -106,7 +106,7 @@ public final class TransformNode implements SceneNode {
     }
 
     /**
-     * Returns a copy of this transform with other children.
+     * Returns a copy of this transform with the given children.
      *
      * @param newChildren the child nodes of the copy
      * @return the copy

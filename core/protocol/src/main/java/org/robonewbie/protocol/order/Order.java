@@ -56,7 +56,7 @@ public sealed interface Order {
      * Moves the ball.
      *
      * @param position new position of the ball's centre in metres; empty keeps the position
-     * @param velocity new velocity in metres per second, which also stops the spin; empty keeps velocity and spin
+     * @param velocity new velocity in metres per second; setting it also stops the spin; empty keeps velocity and spin
      */
     record MoveBall(Optional<Vector3> position, Optional<Vector3> velocity) implements Trainer {
 
@@ -64,7 +64,7 @@ public sealed interface Order {
          * Creates an order with both position and velocity.
          *
          * @param position new position of the ball's centre in metres
-         * @param velocity new velocity in metres per second, which also stops the spin
+         * @param velocity new velocity in metres per second; setting it also stops the spin
          */
         public MoveBall(Vector3 position, Vector3 velocity) {
             this(Optional.of(position), Optional.of(velocity));

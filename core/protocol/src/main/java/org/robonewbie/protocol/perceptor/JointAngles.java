@@ -20,7 +20,8 @@ public final class JointAngles {
     private final List<ExtraHinge> extraHinges;
 
     /**
-     * The angle of a hinge that is not a {@link Joint}, such as the toes {@code llj7} and {@code rlj7} of robot type 4.
+     * The angle of a hinge that is not a {@link Joint}, such as the toe hinges {@code llj7} and {@code rlj7} of robot
+     * type 4.
      *
      * @param perceptorName the hinge's name in SimSpark's messages
      * @param degrees its angle in degrees
@@ -41,7 +42,7 @@ public final class JointAngles {
      * Creates readings with the angle of every joint.
      *
      * @param degrees function from a joint to its angle in degrees
-     * @param extraHinges angles of hinges that are not joints, such as toes
+     * @param extraHinges angles of hinges that are not a {@link Joint}, such as toe hinges
      * @return the angles
      */
     public static JointAngles measured(ToDoubleFunction<Joint> degrees, List<ExtraHinge> extraHinges) {
@@ -83,7 +84,7 @@ public final class JointAngles {
         return (present & 1 << joint.ordinal()) != 0;
     }
 
-    /** {@return the angles of hinges that are not a {@link Joint}, such as the toes of robot type 4} */
+    /** {@return the angles of hinges that are not a {@link Joint}, such as the toe hinges of robot type 4} */
     public List<ExtraHinge> extraHinges() {
         return extraHinges;
     }

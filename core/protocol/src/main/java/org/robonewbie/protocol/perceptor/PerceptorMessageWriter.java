@@ -15,8 +15,8 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats perceptor messages byte for byte like rcssserver3d 0.7.3: perceptors in the order of the robot's scene file, numbers with
- * two decimals, sub-lists separated by spaces. Does not allocate.
+ * Formats perceptor messages byte for byte like rcssserver3d 0.7.3: perceptors in the order of the robot's scene file,
+ * numbers with two decimals, sub-lists separated by spaces. The writer does not allocate memory.
  */
 public final class PerceptorMessageWriter {
 
@@ -42,7 +42,7 @@ public final class PerceptorMessageWriter {
         writer = new SexpWriter(message);
     }
 
-    /** Returns the joints of a leg whose angles precede the reading of the foot's force perceptor in a message. */
+    /** Returns the joints of a leg whose angles precede the foot force in a message. */
     private static Joint[] jointsAboveAnkleRoll(Leg leg) {
         return leg.joints().subList(0, 5).toArray(Joint[]::new);
     }

@@ -15,11 +15,12 @@ import org.robonewbie.nao.Vector3;
  * @param ball the ball's centre
  * @param players robots, including the observer if it sees its own arms
  * @param lines segments of the field lines, clipped at the edge of the image
- * @param ownPosition true position of the robot's head in its team's frame in metres; only if the server is configured to send it
- * @param ownOrientationDegrees true direction of the robot's head in its team's frame in degrees, 0 towards the opponents' goal,
- *     positive to the left; only if the server is configured to send it
- * @param ballPosition true position of the ball's centre in the team's frame in metres; only if the server is configured to send
- *     it
+ * @param ownPosition true position of the robot's head in its team's frame in metres; empty unless the server is
+ *     configured to send it
+ * @param ownOrientationDegrees true direction of the robot's head in its team's frame in degrees, 0 towards the
+ *     opponents' goal, positive to the left; empty unless the server is configured to send it
+ * @param ballPosition true position of the ball's centre in the team's frame in metres; empty unless the server is
+ *     configured to send it
  */
 public record Vision(
         List<SeenLandmark> landmarks,

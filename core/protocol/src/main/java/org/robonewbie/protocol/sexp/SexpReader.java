@@ -110,8 +110,8 @@ public final class SexpReader {
      * Advances to the next list {@code (name …)} at the given depth. Skips the rest of the previous list, words between the
      * lists, and lists without a name. Afterwards the name is the current atom.
      *
-     * <p>If there is no such list, the current token is {@link Token#CLOSE} if the enclosing list is complete, else {@link
-     * Token#END}.
+     * <p>If there is no such list, the current token is {@link Token#CLOSE} if the enclosing list is complete,
+     * otherwise {@link Token#END}.
      *
      * @param outerDepth number of enclosing lists; 0 for the top-level lists of the message
      * @return whether there is another list

@@ -41,7 +41,7 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a text unchanged, including parentheses and spaces.
+     * Writes text unchanged, including parentheses and spaces.
      *
      * @param ascii the text in ASCII
      * @return this writer

@@ -6,9 +6,9 @@ import java.nio.channels.WritableByteChannel;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Sends messages to a non-blocking channel, for servers with slow clients. As in rcssserver3d, at most one message is pending
- * for each client. New messages are dropped until it has been sent completely, so that a slow client uses no extra memory and
- * never receives a partial message.
+ * Sends messages to a non-blocking channel, for servers with slow clients. As in rcssserver3d, at most one message is
+ * pending for each client. New messages are dropped until the pending one has been sent completely, so a slow client
+ * uses no extra memory and never receives a partial message.
  */
 public final class FrameEncoder {
 

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Reads length-prefixed messages from a stream: a length of four bytes in big-endian order, followed by the text. */
+/** Reads length-prefixed messages from a stream: a four-byte length in big-endian order, followed by the text. */
 public final class FrameInput {
 
     private final InputStream stream;

@@ -110,7 +110,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
                 }
             }
         } catch (IOException unreachable) {
-            // the next attempt follows later
+            // the caller tries again later
         } finally {
             connected = false;
             queue.clear();

@@ -76,7 +76,7 @@ final class TelemetryConnection implements AutoCloseable {
         try {
             socket.close();
         } catch (IOException ignored) {
-            // closed in any case
+            // the socket counts as closed anyway
         }
     }
 

@@ -30,7 +30,7 @@ public final class TelemetryServer implements AutoCloseable {
     }
 
     /**
-     * Returns the port at which a simulator receives telemetry.
+     * Returns the port on which a simulator receives telemetry.
      *
      * @param agentPort agent port of the simulator, 3100 by default
      * @return the telemetry port, 3300 by default
@@ -68,7 +68,7 @@ public final class TelemetryServer implements AutoCloseable {
         try {
             socket.close();
         } catch (IOException ignored) {
-            // closed in any case
+            // the socket counts as closed anyway
         }
         connections.forEach(TelemetryConnection::close);
     }
@@ -83,7 +83,7 @@ public final class TelemetryServer implements AutoCloseable {
                     connection.close();
                 }
             } catch (IOException closed) {
-                // the loop ends if the server's socket was closed, and continues if only a robot's was
+                // the loop ends if the server's socket was closed, and continues if only a robot's socket was
             }
         }
     }

@@ -8,7 +8,7 @@ import org.robonewbie.nao.Vector3;
  * @param name name of the object: {@code ball}, a landmark such as {@code GOAL_POST_1_LEFT}, or a robot, written as {@code TEAM
  *     NUMBER}
  * @param position position relative to the centre of the robot's head along the axes of its torso, x forward, y left, z up, in metres
- * @param ageSeconds time since the object was last seen in seconds
+ * @param ageSeconds time in seconds since the object was last seen
  * @param visible whether the object was in the last camera image
  */
 public record BelievedThing(String name, Vector3 position, double ageSeconds, boolean visible) {}

@@ -8,7 +8,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 public sealed interface TelemetryItem {
 
     /**
-     * An entry in the robot's log, or an error in its program.
+     * An entry in the robot's log, or a report of an error in its program.
      *
      * @param level {@code DEBUG}, {@code INFO}, {@code WARNING} or {@code ERROR}
      * @param text the message, which may have several lines
@@ -16,10 +16,10 @@ public sealed interface TelemetryItem {
     record LogEntry(String level, String text) implements TelemetryItem {}
 
     /**
-     * Progress of the motion that the robot plays; sent on each change.
+     * Progress of the motion that the robot is playing; sent on each change.
      *
      * @param name name of the motion; empty if none is running
-     * @param keyframe index of the keyframe that the robot is approaching, from 1; 0 if no motion is running
+     * @param keyframe one-based number of the keyframe that the robot is approaching; 0 if no motion is running
      */
     record MotionProgress(String name, int keyframe) implements TelemetryItem {}
 

@@ -1,7 +1,7 @@
 package org.robonewbie.protocol.telemetry;
 
 /**
- * A telemetry item with the robot that sent it and the time.
+ * A telemetry item, together with the robot that sent it and the simulated time.
  *
  * @param team name of the robot's team
  * @param number the robot's shirt number, 1 to 11

@@ -33,7 +33,8 @@ public interface TelemetrySink {
     void accept(TelemetryMessage message);
 
     /**
-     * Returns whether the sink currently uses telemetry. Robots check this in each cycle and skip the work if it does not.
+     * Returns whether the sink currently uses telemetry. Robots call this method in each cycle and skip the work if it
+     * returns false.
      *
      * @return false if {@link #accept} has no effect
      */

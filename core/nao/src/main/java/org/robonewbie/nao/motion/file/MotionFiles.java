@@ -51,7 +51,7 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Creates a library with another folder for the user's motions.
+     * Creates a library with the given folder for the user's motions.
      *
      * @param folder the folder, which need not exist
      * @return the motions in the folder and the shipped ones
@@ -64,7 +64,7 @@ public final class MotionFiles implements MotionSource {
      * Loads a file.
      *
      * @param path the file
-     * @return its content; lines that cannot be parsed are kept, see {@link MotionFile#errors}
+     * @return the contents of the file; lines that cannot be parsed are kept, see {@link MotionFile#errors}
      * @throws IOException if the file cannot be read, is not a regular file, or is larger than {@link #MAX_BYTES}
      */
     public static MotionFile load(Path path) throws IOException {
@@ -74,8 +74,8 @@ public final class MotionFiles implements MotionSource {
     /**
      * Saves a file. An existing file is replaced atomically.
      *
-     * @param file the content
-     * @param path path of the file
+     * @param file the contents to save
+     * @param path path of the saved file
      * @throws IOException if the file cannot be written
      */
     public static void save(MotionFile file, Path path) throws IOException {
