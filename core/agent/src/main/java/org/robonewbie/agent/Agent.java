@@ -82,8 +82,8 @@ public abstract class Agent {
 
     /**
      * Declares a tunable number: a slider in the studio can change it while the robot plays, and {@code robonewbie
-     * optimise --agent} can search for a better value. It has its default value unless a file named after the class,
-     * such as {@code Walker.numbers}, overrides it.
+     * optimise --agent} can search for a better value. The number has its default value unless a file named after the
+     * class, such as {@code Walker.numbers}, overrides it.
      *
      * <pre>{@code
      * private final double nearMetres = number("near", 0.3, 0.1, 0.8);

@@ -21,7 +21,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * Runs an agent without a thread, clock or simulator: perception in, commands out. Intended for tests, grading,
- * learning and replays; robot programs do not need it.
+ * learning and replays; robot programs do not need this class.
  *
  * <pre>{@code
  * AgentDriver driver = new AgentDriver(new MyAgent());

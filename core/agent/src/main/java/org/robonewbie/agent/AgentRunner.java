@@ -99,9 +99,9 @@ final class AgentRunner {
     }
 
     /**
-     * Runs all agents. They connect in order, so that a given seed always yields the same game. On a server, each agent
-     * joins only after the previous one has reached its starting pose, unless the server starts its clock only when all
-     * have joined.
+     * Runs all agents. They connect in the given order, so that a given seed always yields the same game. On a server,
+     * each agent joins only after the previous one has reached its starting pose, unless the server starts its clock
+     * only when all have joined.
      */
     private int runAll(List<Agent> agents, List<Options> options) {
         if (agents.size() == 1) {

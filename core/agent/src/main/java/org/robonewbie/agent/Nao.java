@@ -105,8 +105,8 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message from the simulator and reads all sensors. If {@link #act} was not called since the
-     * last message, it is called first.
+     * Waits for the next message from the simulator and reads all sensors. If {@link #act} has not been called since
+     * the last message, it is called first.
      *
      * @return false if the run is over
      */

@@ -11,7 +11,8 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * Runs a {@link Nao} for a caller that advances the world between two calls from the robot's program, such as a web
- * page that steps through the program. It needs no thread, clock or simulator; robot programs do not need it.
+ * page that steps through the program. It works without a thread, clock or simulator. Robot programs do not need this
+ * class.
  */
 public final class NaoDriver {
 

@@ -130,7 +130,7 @@ public class Robot {
         return sensors().playSeconds();
     }
 
-    /** {@return the half that this team defends; {@code LEFT} until the referee has assigned one} */
+    /** {@return the half that the robot's team defends; {@code LEFT} until the referee has assigned one} */
     public final TeamSide getTeamSide() {
         return sensors().side();
     }
@@ -150,12 +150,12 @@ public class Robot {
         return sensors().type();
     }
 
-    /** {@return the number of goals that this team has scored} */
+    /** {@return the number of goals that the robot's team has scored} */
     public final int getOwnScore() {
         return sensors().score(sensors().side());
     }
 
-    /** {@return the number of goals that the other team has scored} */
+    /** {@return the number of goals that the opponents have scored} */
     public final int getOpponentScore() {
         return sensors().score(sensors().side().opponent());
     }
@@ -181,8 +181,8 @@ public class Robot {
     }
 
     /**
-     * Sets the speed of a joint. It holds until another speed or target is set or a motion starts; the joint stops at the end
-     * of its range.
+     * Sets the speed of a joint. The speed holds until another speed or target is set or a motion starts; the joint
+     * stops at the end of its range.
      *
      * @param joint the joint
      * @param degreesPerSecond speed from -351.77 to 351.77; 0 stops and holds the joint

@@ -28,7 +28,7 @@ record SensedQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
     /**
      * Looks up a quantity.
      *
-     * @throws IllegalArgumentException if the robot has no such sensor, or the sensor measures in another unit
+     * @throws IllegalArgumentException if the robot has no such sensor, or the sensor's unit differs
      */
     static SensedQuantity of(Quantity wanted) {
         return named(wanted.name())

@@ -116,7 +116,7 @@ public enum Joint {
      * Returns the joint that a motor drives.
      *
      * @param effectorName the motor's name in SimSpark's messages, such as {@code lle4}
-     * @return the joint; empty if robot type 0 has no such motor, for example a toe motor
+     * @return the joint; empty if robot type 0 has no such motor, for example for a toe motor
      */
     public static Optional<Joint> ofEffector(String effectorName) {
         return Arrays.stream(values())

@@ -49,7 +49,7 @@ public final class Commands {
      * Sets the speed of a joint.
      *
      * @param joint the joint
-     * @param speed degrees per second
+     * @param speed speed in degrees per second
      */
     public void setJointSpeed(Joint joint, double speed) {
         if (Double.isNaN(speed)) {
@@ -79,7 +79,7 @@ public final class Commands {
      * Sets the target angle of a joint.
      *
      * @param joint the joint
-     * @param degrees target angle
+     * @param degrees target angle in degrees
      * @param speed maximum speed in degrees per second
      */
     public void setJointAngle(Joint joint, double degrees, double speed) {
@@ -137,7 +137,7 @@ public final class Commands {
      *
      * @param x metres from the centre towards the opponents' goal
      * @param y metres to the left of the centre
-     * @param degrees heading
+     * @param degrees heading in degrees
      */
     public void beam(double x, double y, double degrees) {
         if (!sensors.isBeamAllowed()) {

@@ -24,7 +24,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
  * List<EffectorCommand> answer = robot.act();
  * }</pre>
  *
- * <p>Students' programs access it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and
+ * <p>Students' programs access them through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and
  * {@code Logger}.
  */
 public final class RobotRuntime {

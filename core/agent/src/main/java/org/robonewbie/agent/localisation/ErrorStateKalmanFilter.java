@@ -76,7 +76,7 @@ final class ErrorStateKalmanFilter {
     /**
      * Predicts one cycle. The accelerometer's reading is one cycle old, so it belongs to the attitude before the rotation.
      *
-     * @param gyro degrees per second about the axes of the torso
+     * @param gyro angular velocity in degrees per second about the axes of the torso
      * @param specificForce specific force in m/s² along the axes of the torso
      */
     void move(Vector3 gyro, Vector3 specificForce) {

@@ -95,7 +95,7 @@ public final class Odometry {
     }
 
     /**
-     * Returns the current position of a resting object, based on a sighting within the last minute.
+     * Returns the current position of a stationary object, based on a sighting within the last minute.
      *
      * @param item a known object
      * @return the position relative to the centre of the head, in metres: x forward, y left, z up

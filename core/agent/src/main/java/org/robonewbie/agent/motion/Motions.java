@@ -54,7 +54,7 @@ public interface Motions {
     /**
      * Starts a motion and repeats it until {@link #stop} is called.
      *
-     * @param name as in {@link #start(String)}
+     * @param name name of the motion, as in {@link #start(String)}
      * @return whether the motion starts
      */
     boolean loop(String name);

@@ -72,7 +72,7 @@ public final class MotionGuide {
      * Decodes the motion of a policy.
      *
      * @param name name of the motion
-     * @param numbers as returned by {@link #numbers}
+     * @param numbers encoded motion, as returned by {@link #numbers}
      * @return the motion
      * @throws IllegalArgumentException if a keyframe is incomplete
      */

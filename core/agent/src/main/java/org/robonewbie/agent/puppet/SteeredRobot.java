@@ -11,7 +11,9 @@ import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.embedded.Puppet;
 
-/** A manually controlled robot; subclasses decide how its cycle is run. It gets up automatically after a fall. */
+/**
+ * A manually controlled robot; subclasses decide how its cycle is run. The robot gets up automatically after a fall.
+ */
 public abstract class SteeredRobot implements Puppet {
 
     private static final double HAND_DEGREES_PER_SECOND = 180;

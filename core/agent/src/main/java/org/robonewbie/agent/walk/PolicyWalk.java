@@ -37,7 +37,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
      * Creates a walk from a policy.
      *
      * @param policy a walking policy, such as {@code PolicyFile.shipped("walk")}
-     * @throws IllegalArgumentException if the policy belongs to another task
+     * @throws IllegalArgumentException if it is not a walking policy
      */
     public PolicyWalk(Policy policy) {
         this(style(policy), reflex(policy));
@@ -61,7 +61,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
      * @param about remarks on the training
      * @param stepMillis duration of a step in milliseconds, a multiple of 20
      * @param most maximum speeds
-     * @param backward maximum speed backward in metres per second
+     * @param backward maximum backward speed in metres per second
      * @param gait coordinates of {@link FastWalk#style}
      * @param network maps {@link ResidualPolicy#INPUTS} to {@link ResidualPolicy#OUTPUTS}
      * @return the policy

@@ -29,8 +29,8 @@ public record PoseApproach(WalkStyle style) {
     /**
      * Computes the walking velocity.
      *
-     * @param ahead metres from the torso to the target, forward
-     * @param left metres from the torso to the target, to the left
+     * @param ahead distance from the torso to the target along the torso's forward axis, in metres
+     * @param left distance from the torso to the target along the torso's left axis, in metres
      * @param turnDegrees target heading relative to the torso, positive to the left, -180 to 180
      * @return the velocity for this cycle, within the limits of the style
      */

@@ -18,10 +18,10 @@ package org.robonewbie.agent.walk;
  */
 public interface Walk {
 
-    /** Maximum speed forward in metres per second; the maximum speed backward is lower. */
+    /** Maximum forward speed in metres per second; the maximum backward speed is lower. */
     double MAX_FORWARD = WalkStyle.STANDARD.most().forward();
 
-    /** Maximum speed sideways in metres per second. */
+    /** Maximum sideways speed in metres per second. */
     double MAX_LEFT = WalkStyle.STANDARD.most().left();
 
     /** Maximum turn rate in degrees per second. */

@@ -33,8 +33,8 @@ public final class WalkController implements Walk {
     /**
      * Creates a controller for a robot at rest.
      *
-     * @param motors receive the joint targets
-     * @param motions take precedence over walking
+     * @param motors motors that receive the joint targets
+     * @param motions keyframe motions, which take precedence over walking
      * @param diagnostics receives reports about invalid velocities
      * @param bodyPosition supplies the orientation of the torso
      */

@@ -22,7 +22,7 @@ import org.robonewbie.nao.model.RobotType;
  * @param gait parameters of a step
  * @param gains gains of the balance control
  * @param most maximum speeds
- * @param backward maximum speed backward, metres per second
+ * @param backward maximum backward speed in metres per second
  * @param change maximum change of each speed from one step to the next
  * @param leanPerSpeed forward tilt of the torso per metre per second, degrees
  * @param ankleOffsetPerSpeed shift of the ankles forward per metre per second, metres
@@ -50,7 +50,7 @@ public record WalkStyle(
     public static final WalkStyle STANDARD = standard(coordinates());
 
     /**
-     * A faster but less stable walk with twice the turn rate, for advanced players.
+     * A faster but less stable walk, with twice the turn rate of {@link #STANDARD}, for advanced players.
      *
      * <pre>{@code
      * walk.setStyle(WalkStyle.FAST);
@@ -129,7 +129,7 @@ public record WalkStyle(
      * Returns a copy with the given limits.
      *
      * @param newMost maximum speeds
-     * @param newBackward maximum speed backward, metres per second
+     * @param newBackward maximum backward speed in metres per second
      * @param newChange maximum change of each speed from one step to the next
      * @return the copy
      */

@@ -22,7 +22,7 @@ public record WalkVelocity(double forward, double left, double turn) {
      * that moves at half of one maximum speed can use at most half of the others.
      *
      * @param most maximum speeds
-     * @param backward maximum speed backward, metres per second
+     * @param backward maximum backward speed in metres per second
      * @return this velocity or a slower one
      */
     public WalkVelocity within(WalkVelocity most, double backward) {

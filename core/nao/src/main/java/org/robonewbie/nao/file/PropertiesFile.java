@@ -39,7 +39,7 @@ public final class PropertiesFile {
      * Reads a file. If its encoding was guessed, prints a note to the terminal once.
      *
      * @param file the file
-     * @return the values by name, in the order of the file; the value is empty if a line has only a name
+     * @return the values by name, in file order; the value is empty if a line has only a name
      * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message names the file and
      *     line
      */

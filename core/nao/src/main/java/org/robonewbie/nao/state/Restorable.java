@@ -3,9 +3,9 @@ package org.robonewbie.nao.state;
 /**
  * An object whose state can be saved and restored bit for bit.
  *
- * <p>{@link #restore} reads what {@link #save} wrote, in the same order. A restored object behaves exactly as it would have
- * behaved after {@code save}. An agent whose class implements this interface is restored together with its world if the simulator
- * runs in the same process; other agents keep their current state.
+ * <p>{@link #restore} reads what {@link #save} wrote, in the same order. A restored object behaves exactly as the
+ * original would have after {@code save}. An agent whose class implements this interface is restored together with its
+ * world if the simulator runs in the same process; other agents keep their current state.
  *
  * <pre>{@code
  * public void save(StateWriter out) { out.putInt(steps); }

@@ -179,7 +179,7 @@ public final class StateReader {
     /**
      * Creates an exception about invalid data before the current offset.
      *
-     * @param problem the problem, a predicate whose subject is the state, such as "has a robot without team"
+     * @param problem the problem, a predicate whose subject is the state, such as "has a robot without a team"
      * @return the exception to throw
      */
     public IllegalArgumentException damaged(String problem) {

@@ -8,7 +8,7 @@ public interface Puppet extends AutoCloseable {
     /**
      * Sets the walking velocity, which stays in effect until the next call. Zero stops the robot.
      *
-     * @param forward fraction of the maximum speed forward, -1 to 1
+     * @param forward fraction of the maximum forward speed, -1 to 1
      * @param left fraction of the maximum speed to the left, -1 to 1
      * @param turn fraction of the maximum turning speed to the left, -1 to 1
      */

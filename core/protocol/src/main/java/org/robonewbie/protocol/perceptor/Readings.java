@@ -5,7 +5,9 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.sexp.SexpReader;
 
-/** Parsers for the number or vector that follows the current atom. They return empty if a number is missing. */
+/**
+ * Parsers for the number or vector that follows the current atom. Each returns an empty result if a number is missing.
+ */
 final class Readings {
 
     private Readings() {}

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Pull parser for the S-expressions of a message. It works on the bytes of the message without allocations.
+ * Pull parser for the S-expressions of a message. It reads the bytes of the message without allocating memory.
  *
  * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line breaks separate words, {@code ;} between
  * words starts a comment that extends to the end of the line, and an unmatched closing parenthesis ends the message.
