@@ -16,7 +16,7 @@ import org.robonewbie.nao.text.Spelling;
  * Sensor reading that a policy may use as an input, under the name used in training.
  *
  * @param quantity name and unit
- * @param reading reads the value
+ * @param reading function that reads the value
  */
 record SensedQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
 

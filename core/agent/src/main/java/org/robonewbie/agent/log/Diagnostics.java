@@ -52,7 +52,7 @@ public final class Diagnostics {
     /**
      * Reports an error at the line of the program that is being executed.
      *
-     * @param kind distinguishes this error from others at the same line; must not contain values that change
+     * @param kind distinguishes this error from others on the same line; must not contain values that change
      * @param text what happened, the value that caused it, and what to do
      */
     public void report(String kind, Supplier<String> text) {
@@ -63,7 +63,7 @@ public final class Diagnostics {
      * Reports an error at a given line of the program.
      *
      * @param place file and line; empty if the error belongs to no line of the program
-     * @param kind distinguishes this error from others at the same line; must not contain values that change
+     * @param kind distinguishes this error from others on the same line; must not contain values that change
      * @param text what happened, the value that caused it, and what to do
      */
     public synchronized void reportAt(String place, String kind, Supplier<String> text) {
@@ -80,7 +80,7 @@ public final class Diagnostics {
     /**
      * Reports an error that makes the run a failure, such as a motion that does not exist.
      *
-     * @param kind distinguishes this error from others at the same line; must not contain values that change
+     * @param kind distinguishes this error from others on the same line; must not contain values that change
      * @param text what happened, the value that caused it, and what to do
      */
     public synchronized void reportSerious(String kind, Supplier<String> text) {

@@ -16,9 +16,9 @@ public interface CameraTransformation {
      * Adds the angles of the neck to those of the camera: bearing = horizontal angle + neck yaw, elevation = vertical angle +
      * neck pitch.
      *
-     * <p>This approximation is good enough to find a ball. It is exact while the neck pitch is 0, and for objects straight
-     * ahead of the head. With the head pitched down by 40°, an object 2 m away that the camera sees at 45° is misplaced by 0.5
-     * m.
+     * <p>This approximation is good enough to find a ball. It is exact while the neck pitch is 0, and for objects
+     * straight ahead of the head. With the head pitched down by 40°, an object 2 m away that the camera sees 45° to the
+     * side is misplaced by 0.5 m.
      */
     CameraTransformation SUM_OF_ANGLES = (seen, neckYawDegrees, neckPitchDegrees) -> new Direction(
             seen.distance(), Angles.wrap(seen.bearing() + neckYawDegrees), seen.elevation() + neckPitchDegrees);

@@ -102,7 +102,7 @@ public final class MotionGuide {
      * Returns the reference posture.
      *
      * @param cycles cycles of 20 ms since the beginning
-     * @return the posture; the last one after the end
+     * @return the posture; after the end, the last one
      */
     public Posture posture(int cycles) {
         double millis = cycles * MILLIS_PER_CYCLE;

@@ -18,7 +18,7 @@ public record TemporaryFolder(Path path) implements AutoCloseable {
      *
      * @param name start of the folder's name
      * @return the folder
-     * @throws IOException if the system's folder for temporary files cannot be written
+     * @throws IOException if the system's folder for temporary files cannot be written to
      */
     public static TemporaryFolder create(String name) throws IOException {
         return new TemporaryFolder(TemporaryFiles.folder(name));

@@ -17,7 +17,7 @@ public final class SimSparkFrame {
     /**
      * Converts a vector from SimSpark's frame to the body frame.
      *
-     * @param vector x right, y forward, z up
+     * @param vector vector with x right, y forward, z up
      * @return the same vector with x forward, y left, z up
      */
     public static Vector3 toBody(Vector3 vector) {
@@ -27,7 +27,7 @@ public final class SimSparkFrame {
     /**
      * Converts a vector from the body frame to SimSpark's frame.
      *
-     * @param vector x forward, y left, z up
+     * @param vector vector with x forward, y left, z up
      * @return the same vector with x right, y forward, z up
      */
     public static Vector3 fromBody(Vector3 vector) {

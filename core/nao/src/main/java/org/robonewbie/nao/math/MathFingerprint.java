@@ -6,8 +6,8 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Check that {@link PortableMath} yields the same bits on this machine as on every other: a hash of 200,000 results of
- * a function, for pseudo-random arguments of all magnitudes, is compared with a stored one.
+ * A check that {@link PortableMath} yields the same bits on this machine as on every other: a hash of 200,000 results
+ * of a function, for pseudo-random arguments of all magnitudes, is compared with a stored one.
  *
  * @param function name of the function in {@link PortableMath}
  * @param expected the stored hash

@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
  * The five variants of the NAO in SimSpark ({@code naorobottypes.rb}). Masses and link sizes are the same for all of
  * them.
  *
- * <p>Lengths in metres, speeds in radians per second.
+ * <p>Lengths are in metres, speeds in radians per second.
  */
 public enum RobotType {
     /** The standard robot. */

@@ -20,7 +20,7 @@ public record FootForces(
     public static final FootForces NONE = of(Optional.empty(), Optional.empty());
 
     /**
-     * Creates the forces of a robot without toes.
+     * Creates the foot forces for a robot without toes.
      *
      * @param left the left foot
      * @param right the right foot
