@@ -29,7 +29,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 
-/** Plays many games with each example agent, using a different seed for each, and reports how many succeed. */
+/** Plays many games with each example agent, each game with its own seed, and reports how many games succeed. */
 public final class AgentMeasurement {
 
     private static final String LINE = "%-24s %6s %9s %8s  %s";
@@ -94,7 +94,7 @@ public final class AgentMeasurement {
     /**
      * Creates a measurement.
      *
-     * @param trials number of games of each agent
+     * @param trials number of games per agent
      * @param firstSeed seed of the first game
      * @param out destination of the table
      */

@@ -115,8 +115,8 @@ public final class AgentChannel implements Restorable {
     }
 
     /**
-     * Returns whether an agent in another process has answered, but never with {@code (syn)}: until it first sends one,
-     * any answer counts.
+     * Returns whether an agent in another process has answered, but never with {@code (syn)}; until its first
+     * {@code (syn)}, any answer counts.
      */
     private boolean hasAnsweredWithoutSyn() {
         return !link.isLocal() && answered && !everSynchronised;

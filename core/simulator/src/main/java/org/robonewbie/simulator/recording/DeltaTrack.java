@@ -15,7 +15,7 @@ final class DeltaTrack {
         last = new long[count];
     }
 
-    /** Returns the given track, or a new one if it is null or has a different size. */
+    /** Returns the given track, or a new one if it is null or its size differs. */
     static DeltaTrack fitting(@Nullable DeltaTrack known, int count) {
         return known != null && known.last.length == count ? known : new DeltaTrack(count);
     }

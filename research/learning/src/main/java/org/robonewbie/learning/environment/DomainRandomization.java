@@ -137,7 +137,7 @@ public final class DomainRandomization {
     }
 
     /**
-     * Sets the number of cycles per action, unless an option sets it.
+     * Returns a copy with a default number of cycles per action; a value that an option has set is kept.
      *
      * @param cycles the number of cycles
      * @return the changed options
