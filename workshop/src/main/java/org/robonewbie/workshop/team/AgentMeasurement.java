@@ -63,7 +63,7 @@ public final class AgentMeasurement {
         }
     }
 
-    /** Result of one agent. */
+    /** Results for one agent. */
     private record Result(Task task, int trials, List<Double> seconds) {
 
         double median() {
@@ -107,7 +107,7 @@ public final class AgentMeasurement {
     /**
      * Plays all games and prints the table.
      *
-     * @param part substring of the names of the agents that play
+     * @param part substring that the names of the playing agents contain
      * @param json file for the results; empty for none
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if no name contains the substring

@@ -199,7 +199,7 @@ public final class AgentSession {
         isNewborn = false;
     }
 
-    /** Returns whether a camera image is due, as in every third cycle after the agent connected. */
+    /** Returns whether a camera image is due; one is taken in every third cycle after the agent connected. */
     boolean seesInThisCycle() {
         return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }

@@ -26,7 +26,7 @@ final class DeltaTrack {
         last[index] = steps;
     }
 
-    /** Writes the position and quaternion of a pose as the values starting at an index. */
+    /** Writes the position and quaternion of a pose as the seven values starting at the given index. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();
         put(index, position.x(), RecordingFormat.STEPS_PER_METRE, sink);

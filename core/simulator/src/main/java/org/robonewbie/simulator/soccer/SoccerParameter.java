@@ -259,7 +259,7 @@ public enum SoccerParameter {
      * Suggests the parameter with the most similar name.
      *
      * @param name a misspelt name
-     * @return a space and a sentence, see {@link Spelling#question}
+     * @return a space and a sentence; see {@link Spelling#question}
      */
     public static String question(String name) {
         return Spelling.question(

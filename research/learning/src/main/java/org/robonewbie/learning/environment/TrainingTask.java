@@ -221,7 +221,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * Sets a constant command for the episode, taken from the options {@code forward}, {@code left} and {@code turn}.
      *
      * @param velocity the velocity
-     * @throws IllegalArgumentException if the task has no commanded velocity, as by default
+     * @throws IllegalArgumentException if the task has no commanded velocity, which is the default
      */
     protected void setCommand(WalkVelocity velocity) {
         throw new IllegalArgumentException(
@@ -232,7 +232,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * Sets the target distance for the episode, taken from the option {@code distance}.
      *
      * @param metres the distance
-     * @throws IllegalArgumentException if the task has no target distance, as by default
+     * @throws IllegalArgumentException if the task has no target distance, which is the default
      */
     protected void setDistance(double metres) {
         throw new IllegalArgumentException("This task has no target distance. Omit it, or choose the task KickTo.");

@@ -61,7 +61,7 @@ public final class MotionTrial implements AutoCloseable {
     private static final double UPRIGHT_DEGREES = 12;
     private static final double REST_METRES_PER_SECOND = 0.05;
 
-    /** Pool of unused direct trials by robot type; resetting a trial is much faster than creating one. */
+    /** Pools of unused direct trials, keyed by robot type; resetting a trial is much faster than creating one. */
     private static final Map<RobotType, Queue<Trial>> IDLE = new ConcurrentHashMap<>();
 
     private final Trial trial;
@@ -224,7 +224,7 @@ public final class MotionTrial implements AutoCloseable {
     /**
      * Walks while a condition holds. The robot keeps walking afterwards until {@link #stopWalking}.
      *
-     * @param velocity supplies the velocity of each cycle
+     * @param velocity supplies the velocity for each cycle
      * @param condition evaluated in each cycle
      * @return whether the trial continues; false if a fall has ended it
      */

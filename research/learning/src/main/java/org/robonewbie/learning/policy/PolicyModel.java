@@ -43,7 +43,9 @@ public final class PolicyModel {
     private static final double GAIT_SCALE = 3;
     private static final String RANGE = "range-degrees";
 
-    /** Typical magnitude of an input by its unit. For inputs with other units, the magnitude is half of their range. */
+    /**
+     * Typical magnitude of an input, keyed by unit. For inputs with other units, the magnitude is half of their range.
+     */
     private static final Map<String, Double> TYPICAL =
             Map.of("degrees", 30.0, "degrees/s", 100.0, "m/s²", 10.0, "N", 50.0, "1", 1.0);
 

@@ -166,7 +166,7 @@ final class Accelerations {
         sums[to + 2] = z;
     }
 
-    /** Returns the residual A λ - b of a row, based on the accelerations computed last. */
+    /** Returns the residual A λ - b of a row, based on the most recently computed accelerations. */
     double residual(int joint, int row) {
         double motion = ConstraintRows.dot6(rows.firstJacobian, DIMENSIONS * row, sums, DIMENSIONS * first[joint]);
         if (second[joint] != CouplingGraph.FIXED) {
