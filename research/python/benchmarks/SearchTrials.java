@@ -5,7 +5,10 @@ import java.util.function.ToDoubleFunction;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.learning.search.RestartingSearch;
 
-/** Counts the trials that the search of {@code optimise} needs for the functions of {@code beside_cma.py}, one line each. */
+/**
+ * Counts the trials that the search of {@code optimise} needs for the functions in {@code beside_cma.py}. Prints one
+ * line per function and seed.
+ */
 public class SearchTrials {
 
     private static final double GOAL = 1e-9;

@@ -8,8 +8,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Measures what the simulator needs without Python: a step of 20 ms of a robot that keeps moving all its joints on its feet, and a reset to
- * its settled stance. Prints both in microseconds of processor time, as JSON.
+ * Measures the processor time that the simulator needs without Python for a step of 20 ms, in which a standing robot
+ * moves all its joints, and for a reset to its settled standing posture. Prints both times in microseconds, as JSON.
  */
 public class TrialSpeed {
 
@@ -53,7 +53,7 @@ public class TrialSpeed {
         return (CLOCK.getCurrentThreadCpuTime() - before) / 1e3 / STEPS;
     }
 
-    /** Some steps lie between two resets, so that there is something to reset; they do not count. */
+    /** Runs some steps between two resets, so that there is something to reset; they are not included in the time. */
     private static double resets(Trial trial) {
         long spent = 0;
         for (int i = 0; i < RESETS; i++) {

@@ -4,7 +4,10 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Get low without falling: pays the metres that the torso has sunk by at most, and takes them back after a fall. */
+/**
+ * Task: squat as low as possible without falling. Return: the maximum distance in metres by which the torso has been
+ * lowered; 0 after a fall.
+ */
 public final class Squat extends TrainingTask {
 
     private double deepest;

@@ -20,7 +20,7 @@ import org.robonewbie.simulator.landscape.Thing;
  * @param half 1 or 2
  * @param ballPosition centre of the ball in the world frame, metres
  * @param ballRotation orientation of the ball
- * @param robots all robots in the order of their connections
+ * @param robots all robots in the order in which they connected
  * @param things other objects on the pitch at their current poses; empty in a soccer match
  * @param paused whether the clock is paused
  * @param speed requested speed, as set with {@link org.robonewbie.protocol.order.Order.SetSpeed}
@@ -44,7 +44,7 @@ public record WorldSnapshot(
         double realTimeFactor) {
 
     /**
-     * Returns a copy with different clock values.
+     * Returns a copy with the given clock values.
      *
      * @param isPaused whether the clock is paused
      * @param newSpeed requested simulated seconds per real second

@@ -45,7 +45,7 @@ public interface Controller extends AutoCloseable {
      * Returns a controller that plays the motion in a file once, with the interpolation that the file specifies, and then holds
      * all joints still.
      *
-     * @param file the file, see {@link MotionPlayer#of}
+     * @param file the file; see {@link MotionPlayer#of}
      * @return the controller
      * @throws org.robonewbie.nao.motion.MotionFormatException if the file cannot be parsed
      */
@@ -54,7 +54,7 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that walks at a constant velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
+     * Returns a controller that walks at a constant velocity; see {@link org.robonewbie.agent.walk.Walk#towards}.
      *
      * @param forwardMetresPerSecond forward speed
      * @param leftMetresPerSecond sideways speed, positive to the left

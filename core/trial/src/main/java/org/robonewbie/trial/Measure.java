@@ -1,8 +1,8 @@
 package org.robonewbie.trial;
 
 /**
- * A quantity that is measured in a trial, such as the distance that a robot has walked. It observes the true state after each
- * cycle. Measures are stateful, so each trial needs new ones.
+ * A measurement of one quantity in a trial, such as the distance that a robot has walked. It observes the true state
+ * after each cycle. Measures are stateful, so each trial needs new ones.
  *
  * <pre>{@code
  * public final class Height implements Measure {

@@ -15,7 +15,8 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
  * @param number uniform number, 1 to 11
  * @param type robot type
  * @param place start pose, standing with all joints at 0
- * @param prelude motions that it plays before the trial starts, such as one that moves it into the stance
+ * @param prelude motions that the robot plays before the trial starts, such as one that moves it into its
+ *     {@linkplain org.robonewbie.agent.walk.Stance standard stance}
  */
 public record RobotStart(String team, int number, RobotType type, Pose2d place, List<Motion> prelude) {
 
@@ -28,7 +29,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Places a robot of type 0, number 1 of the default team, facing the right goal.
+     * Creates the initial state of a robot of type 0, number 1 of the default team, facing the right goal.
      *
      * @param x metres from the centre towards the right goal
      * @param y metres from the centre to the left
@@ -39,7 +40,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Places a robot of type 0, number 1 of the default team.
+     * Creates the initial state of a robot of type 0, number 1 of the default team.
      *
      * @param place its pose
      * @return the initial state
@@ -59,7 +60,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Changes team and number.
+     * Changes the team and the number.
      *
      * @param newTeam name of the team
      * @param newNumber 1 to 11

@@ -316,7 +316,8 @@ public final class Trial implements AutoCloseable {
     /**
      * Scales the friction of all surfaces until the trial ends or is reset.
      *
-     * @param factor friction relative to SimSpark's, above 0; with 0.5, feet slip twice as fast under the same force
+     * @param factor friction relative to SimSpark's, above 0; at 0.5, feet slip twice as fast as at 1 under the same
+     *     force
      */
     public void setGrip(double factor) {
         simulator.world().setGrip(factor);
@@ -330,7 +331,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Returns a robot.
      *
-     * @param index its index in the scene
+     * @param index the robot's index in the scene
      * @return the robot in the simulated world
      */
     public Robot robot(int index) {
@@ -340,7 +341,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Returns the readings to which a robot's controller responds in the next cycle.
      *
-     * @param index its index in the scene
+     * @param index the robot's index in the scene
      * @return the readings, valid until the next cycle
      */
     public SensorReadings readings(int index) {
@@ -359,7 +360,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Moves a robot to an upright pose without changing its joint angles.
      *
-     * @param index its index in the scene
+     * @param index the robot's index in the scene
      * @param place its new pose
      */
     public void moveRobot(int index, Pose2d place) {
@@ -374,7 +375,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Returns the voice message that a robot sent in this cycle.
      *
-     * @param index its index in the scene
+     * @param index the robot's index in the scene
      * @return the text; empty if it sent none
      */
     public Optional<String> said(int index) {

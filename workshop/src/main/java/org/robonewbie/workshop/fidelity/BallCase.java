@@ -5,8 +5,8 @@ import java.util.List;
 /**
  * Initial condition of a recorded ball.
  *
- * @param name the condition, such as {@code roll_v3}, {@code drop_h0.5} or {@code lob_4_4}: speed along x and upward in m/s,
- *     height in m
+ * @param name name that encodes the condition, such as {@code roll_v3}, {@code drop_h0.5} or {@code lob_4_4}; the
+ *     numbers are the speeds along x and upward in m/s, or the height in m
  * @param cycles number of cycles of 20 ms to record
  */
 public record BallCase(String name, int cycles) {

@@ -6,9 +6,9 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Initial state of a ball, parsed from the name of the recorded case: {@code roll_v3} rolls with 3 m/s along x, {@code
- * drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies with 4 m/s along x and 4 m/s upward. Any suffix, such as {@code
- * _beforekickoff}, is ignored.
+ * Initial state of a ball, parsed from the name of the recorded case: {@code roll_v3} rolls at 3 m/s along x,
+ * {@code drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies at 4 m/s along x and 4 m/s upward. Any suffix, such as
+ * {@code _beforekickoff}, is ignored.
  *
  * @param position centre of the ball in metres
  * @param velocity velocity in m/s

@@ -15,7 +15,7 @@ final class EqualRows {
         }
     }
 
-    /** Returns the share of equal rows, 0 to 1; empty if no row had the sensor. */
+    /** Returns the share of equal rows, 0 to 1; empty if no row contains a value of the sensor. */
     OptionalDouble share() {
         return rows == 0 ? OptionalDouble.empty() : OptionalDouble.of((double) equal / rows);
     }

@@ -13,7 +13,8 @@ import org.robonewbie.simulator.soccer.StartPositions;
 /**
  * Sequence of events before the recording of a robot: it was created in the air, joined a team several cycles later,
  * and was then beamed; the first row was recorded some time after that. Meanwhile, the robot landed or, if its legs are
- * long, sank into the ground. The last digits of its stance depend on this sequence, and so does the outcome of a fall.
+ * long, sank into the ground. The last digits of its joint angles at rest depend on this sequence, and so does the
+ * outcome of a fall.
  *
  * @param cyclesToInit cycles between creating the robot and {@code init}, at least 1
  * @param place position of the robot when it joined
@@ -56,7 +57,8 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
     }
 
     /**
-     * Returns whether the robot plays in the right half, judging by the first row: a robot is beamed into its own half.
+     * Returns whether, according to the first row, the robot plays in the right half: a robot is beamed into its own
+     * half.
      */
     private static boolean startsInTheRightHalf(Recording recording) {
         return recording.runs().get(0).rows().get(0).torso().stream()
@@ -121,7 +123,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
                 : FIRST_PLACE;
     }
 
-    /** Returns the exact start position on the league pitch that matches a rounded, printed one. */
+    /** Returns the exact start position on the league pitch that matches a rounded start position in a recording. */
     private static Vector3 placeNear(Vector3 printed) {
         for (TeamSide side : TeamSide.values()) {
             StartPositions places = new StartPositions(side, SoccerParameters.league());

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * Sensor values of the simulated robot in one cycle.
  *
- * @param jointDegrees joint angle by perceptor name
+ * @param jointDegrees joint angles, keyed by perceptor name
  * @param acceleration acceleration in m/s²
  * @param gyro angular velocity in degrees per second
  * @param footForces forces in newtons at points in metres

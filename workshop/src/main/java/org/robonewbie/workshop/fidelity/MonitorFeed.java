@@ -28,7 +28,7 @@ final class MonitorFeed implements AutoCloseable {
             + " $agentSyncMode = true in spark.rb, or robonewbie simulator --sync.";
 
     /**
-     * Content of one message.
+     * Contents of one message.
      *
      * @param torso torso pose of the watched robot
      * @param ball centre of the ball
@@ -79,7 +79,7 @@ final class MonitorFeed implements AutoCloseable {
         }
     }
 
-    /** Waits until a total number of messages has arrived; returns false on timeout. */
+    /** Waits until the given total number of messages has arrived; returns false on timeout. */
     boolean await(int messages) {
         return await(messages, NANOSECONDS_UNTIL_NEXT);
     }
@@ -119,7 +119,7 @@ final class MonitorFeed implements AutoCloseable {
         return sights.size();
     }
 
-    /** Returns the torso pose in a message, by the index of the message from 0. */
+    /** Returns the torso pose in the message with the given zero-based index. */
     synchronized Optional<BodyPose> torso(int index) {
         return index >= 0 && index < sights.size() ? sights.get(index).torso() : Optional.empty();
     }
@@ -134,7 +134,7 @@ final class MonitorFeed implements AutoCloseable {
         return Optional.empty();
     }
 
-    /** Returns all messages from an index on. */
+    /** Returns all messages from the given zero-based index onwards. */
     synchronized List<Sight> sightsFrom(int index) {
         return List.copyOf(sights.subList(index, sights.size()));
     }
@@ -157,8 +157,8 @@ final class MonitorFeed implements AutoCloseable {
     }
 
     /**
-     * Returns the content of the latest message. Includes positions only from a full scene, because partial ones are
-     * inexact.
+     * Returns the contents of the latest message. Positions are included only for a full scene, because those in
+     * partial scenes are inexact.
      */
     private Sight sight() {
         MonitoredWorld world = link.world();

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.physics.BodyPose;
  * Output of a server after one cycle, rounded as printed, and the answer of the client.
  *
  * @param seconds server time
- * @param jointDegrees angle by perceptor name; empty in a recording of a ball alone
+ * @param jointDegrees joint angles, keyed by perceptor name; empty in a recording of a ball alone
  * @param acceleration accelerometer value in m/s²
  * @param gyro gyro value in degrees per second
  * @param footForces foot forces; empty if the file contains none

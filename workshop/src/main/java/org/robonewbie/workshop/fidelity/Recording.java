@@ -3,7 +3,7 @@ package org.robonewbie.workshop.fidelity;
 import java.util.List;
 
 /**
- * Content of a recording file: one or more runs, each in a fresh world.
+ * Contents of a recording file: one or more runs, each in a fresh world.
  *
  * @param name file name without extension
  * @param header first line as JSON, which describes the recording; empty if missing

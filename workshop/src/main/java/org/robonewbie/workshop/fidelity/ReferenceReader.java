@@ -50,8 +50,8 @@ final class ReferenceReader {
     /**
      * Parses a recording.
      *
-     * @param fileName file name, which determines whether the content is compressed
-     * @param content content of the file
+     * @param fileName file name, which determines whether the contents are compressed
+     * @param content contents of the file
      * @return the recording, with at least one run
      * @throws IOException if it cannot be parsed or contains no positions; the message names the file
      */

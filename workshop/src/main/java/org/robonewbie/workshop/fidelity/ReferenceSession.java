@@ -40,7 +40,7 @@ final class ReferenceSession implements AutoCloseable {
      * Result of a recording.
      *
      * @param lines one line per cycle, without the header
-     * @param way start of the robot; empty if balls were recorded
+     * @param way start sequence of the robot; empty if balls were recorded
      * @param isNoisy whether the beam missed its target
      */
     record Take(List<String> lines, Optional<JoiningWay> way, boolean isNoisy) {}
@@ -123,8 +123,8 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     /**
-     * Creates a robot, joins a team, and returns its position. A server does not wait for a new agent during the
-     * agent's first cycles.
+     * Creates a robot, joins a team, and returns the robot's position. A server does not wait for a new agent during
+     * the agent's first cycles.
      */
     private Vector3 takePlace(int type) throws IOException {
         send(

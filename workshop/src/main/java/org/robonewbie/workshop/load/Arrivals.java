@@ -5,7 +5,7 @@ import org.robonewbie.nao.Cycle;
 
 /**
  * Arrival times of the messages at one agent. Written by one thread, and read by another only after the writer has
- * ended or paused.
+ * finished or paused.
  */
 final class Arrivals {
 
@@ -40,7 +40,7 @@ final class Arrivals {
     }
 
     /**
-     * Returns a quantile of the absolute deviation of the interval between consecutive messages from 20 ms.
+     * Returns a quantile of the jitter: how far the intervals between consecutive messages deviate from 20 ms.
      *
      * @param share the quantile, 0 to 1
      * @return seconds, at least 0

@@ -5,15 +5,15 @@ import java.util.Locale;
 /**
  * Cost of one match under load.
  *
- * @param match number of the match within the run, from 1
+ * @param match number of the match within the run, starting from 1
  * @param cycles number of simulation cycles
  * @param playSeconds game time at the end of the match
  * @param missedCycles cycles by which the simulation fell behind real time
  * @param serverMilliseconds processor time of the server thread per cycle
  * @param processMilliseconds processor time of the whole process per cycle, including all agents
- * @param usualJitterMilliseconds 99th percentile of the deviation from 20 ms of the interval between two messages to an
- *     agent
- * @param worstJitterMilliseconds maximum of that deviation
+ * @param usualJitterMilliseconds 99th percentile of the jitter: how far the interval between two messages to an agent
+ *     deviates from 20 ms
+ * @param worstJitterMilliseconds maximum jitter
  * @param heapMegabytes memory in use after a garbage collection, while the robots stand for the next kick-off
  */
 public record MatchLoadResult(

@@ -22,7 +22,7 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
      *
      * @param check the check
      * @param firstSeed seed of the first trial
-     * @param wanted number of trials, multiplied by the thoroughness of the check
+     * @param wanted base number of trials, which is multiplied by the check's thoroughness
      * @return the result, which is deterministic
      */
     public static CheckResult of(MotionCheck check, long firstSeed, int wanted) {

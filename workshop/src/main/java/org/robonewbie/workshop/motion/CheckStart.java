@@ -14,11 +14,11 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
 /**
- * Environment of a check with a robot that starts in the stance.
+ * Environment of a check with a robot that starts in its {@linkplain org.robonewbie.agent.walk.Stance standard stance}.
  *
- * @param suffix suffix of the names of its checks
- * @param words description of the start of each trial
- * @param opening creates a trial with the robot in the stance
+ * @param suffix suffix for the names of the checks in this environment
+ * @param words description of how each trial starts
+ * @param opening creates a trial with the robot in its standard stance
  */
 record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening) {
 
@@ -80,7 +80,7 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.served(pitch, seed, robot.get()).intoStance(seed, PUSH_NEWTONS));
     }
 
-    /** Returns the suffix of the names of checks with a non-standard robot type. */
+    /** Returns the suffix for the names of checks with a robot type other than 0. */
     static String suffix(RobotType type) {
         return type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal();
     }

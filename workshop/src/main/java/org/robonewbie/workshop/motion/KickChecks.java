@@ -108,9 +108,9 @@ final class KickChecks {
     /**
      * Result of a kick.
      *
-     * @param metres distance of the ball along the heading of the robot
+     * @param metres distance that the ball travels along the robot's heading
      * @param degreesAside direction of the ball, positive to the left
-     * @param standing whether the robot ends in the stance
+     * @param standing whether the robot ends in its standard stance
      */
     private record Kick(double metres, double degreesAside, boolean standing) {}
 

@@ -6,8 +6,8 @@ import java.util.function.LongFunction;
  * Check of a motion by repeated trials.
  *
  * @param name name of the motion or the task
- * @param start description of the start of each trial
- * @param rule criterion of success
+ * @param start description of how each trial starts
+ * @param rule success criterion
  * @param unit unit of the measured value
  * @param trial runs one trial with a seed
  * @param thoroughness factor by which the number of trials is multiplied
@@ -19,8 +19,8 @@ public record MotionCheck(
      * Creates a check with the default number of trials.
      *
      * @param name name of the motion or the task
-     * @param start description of the start of each trial
-     * @param rule criterion of success
+     * @param start description of how each trial starts
+     * @param rule success criterion
      * @param unit unit of the measured value
      * @param trial runs one trial with a seed
      */
@@ -29,7 +29,7 @@ public record MotionCheck(
     }
 
     /**
-     * Returns a copy with a different number of trials.
+     * Returns a copy with the given thoroughness.
      *
      * @param factor factor by which to multiply the number of trials
      * @return the copy

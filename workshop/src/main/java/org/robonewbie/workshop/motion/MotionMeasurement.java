@@ -32,7 +32,7 @@ public final class MotionMeasurement {
     /**
      * Creates a measurement.
      *
-     * @param seeds trials of each motion, at least 1
+     * @param seeds number of trials per motion, at least 1
      * @param firstSeed seed of the first trial of each motion
      * @param part substring of the names of the motions to measure; empty for all
      * @param type robot type; for types other than 0, walks and falls are measured only on a full simulator

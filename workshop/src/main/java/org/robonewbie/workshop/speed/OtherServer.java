@@ -54,7 +54,7 @@ final class OtherServer implements BenchmarkServer {
         return agents;
     }
 
-    /** Answers all messages until the last robot is in its team. */
+    /** Answers all messages until the last robot has joined its team. */
     private void admit(BenchmarkAgent last, List<BenchmarkAgent> all) throws IOException {
         int cycles = 0;
         while (!last.isInTeam()) {

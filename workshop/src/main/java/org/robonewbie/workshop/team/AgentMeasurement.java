@@ -29,7 +29,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 
-/** Plays many games with each example agent, using a different seed for each, and reports how many succeed. */
+/** Plays many games with each example agent, each game with its own seed, and reports how many games succeed. */
 public final class AgentMeasurement {
 
     private static final String LINE = "%-24s %6s %9s %8s  %s";
@@ -63,7 +63,7 @@ public final class AgentMeasurement {
         }
     }
 
-    /** Result of one agent. */
+    /** Results for one agent. */
     private record Result(Task task, int trials, List<Double> seconds) {
 
         double median() {
@@ -94,7 +94,7 @@ public final class AgentMeasurement {
     /**
      * Creates a measurement.
      *
-     * @param trials number of games of each agent
+     * @param trials number of games per agent
      * @param firstSeed seed of the first game
      * @param out destination of the table
      */
@@ -107,7 +107,7 @@ public final class AgentMeasurement {
     /**
      * Plays all games and prints the table.
      *
-     * @param part substring of the names of the agents that play
+     * @param part substring that the names of the playing agents contain
      * @param json file for the results; empty for none
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if no name contains the substring

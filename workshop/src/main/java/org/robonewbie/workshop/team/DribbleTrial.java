@@ -8,14 +8,14 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Trial in which a robot dribbles 5 m on the league pitch, with noise, starting from the stance.
+ * Trial in which a robot, starting in its standard stance, dribbles 5 m on the league pitch with noise.
  *
  * @param seconds duration in seconds; infinite if the robot did not arrive
- * @param farthest maximum distance between ball and robot in metres
+ * @param farthest maximum distance between the ball and the robot in metres
  */
 record DribbleTrial(double seconds, double farthest) {
 
-    /** Initial distance of the ball ahead of the robot in metres. */
+    /** Initial distance in metres from the robot to the ball ahead of it. */
     static final double BALL_AHEAD = 0.25;
 
     private static final double DRIBBLED_METRES = 5;

@@ -163,8 +163,8 @@ public final class PlayerChecks {
     }
 
     /**
-     * Returns a scene on the league pitch with a robot in the stance and the ball ahead of it, at a sideways offset
-     * that depends on the seed.
+     * Returns a scene on the league pitch with a robot in its standing posture and the ball ahead of it, offset
+     * sideways by an amount that depends on the seed.
      */
     static Scene scene(RobotType type, double ballAhead, long seed) {
         double aside = ASIDE_METRES * Math.sin((double) seed);

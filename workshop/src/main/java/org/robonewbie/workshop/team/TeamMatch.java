@@ -67,8 +67,8 @@ final class TeamMatch {
      * @param seed seed for all noise
      * @param home number of players of the measured team
      * @param away number of players of the other team, may be 0
-     * @param team creates a player of the measured team by number
-     * @param others creates a player of the other team by number
+     * @param team creates a player of the measured team, given its uniform number
+     * @param others creates a player of the other team, given its uniform number
      * @param halfSeconds length of the half in seconds
      * @param playOnSeconds seconds of open play after which the match ends; empty for a whole half
      */

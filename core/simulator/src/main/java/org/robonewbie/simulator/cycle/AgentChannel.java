@@ -94,8 +94,8 @@ public final class AgentChannel implements Restorable {
     }
 
     /**
-     * Returns whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so
-     * that a run does not depend on the moment at which the disconnection is detected.
+     * Returns whether the agent has disconnected. In sync mode, a disconnection is reported only when the agent's next
+     * answer is due, so that a run does not depend on when it is detected.
      */
     boolean hasLeft() {
         return !link.isOpen() && !(synchronous && synchronised);
@@ -115,8 +115,8 @@ public final class AgentChannel implements Restorable {
     }
 
     /**
-     * Returns whether an agent in another process has answered, but never with {@code (syn)}: until it first sends one,
-     * any answer counts.
+     * Returns whether an agent in another process has answered, but never with {@code (syn)}; until its first
+     * {@code (syn)}, any answer counts.
      */
     private boolean hasAnsweredWithoutSyn() {
         return !link.isLocal() && answered && !everSynchronised;

@@ -52,12 +52,12 @@ public final class AgentSession {
         return hearing;
     }
 
-    /** {@return its robot; empty before it is created and after it is removed} */
+    /** {@return the agent's robot; empty before the robot is created and after it is removed} */
     public Optional<Robot> robot() {
         return robot;
     }
 
-    /** {@return the player it controls; empty before it joins a team} */
+    /** {@return the player that the agent controls; empty before it joins a team} */
     public Optional<Player> player() {
         return player;
     }
@@ -183,7 +183,10 @@ public final class AgentSession {
         return taken;
     }
 
-    /** Returns whether the next message must contain number and team; true only for the first call after joining. */
+    /**
+     * Returns whether the next message must contain the uniform number and the team; true only for the first call after
+     * joining.
+     */
     boolean takeTeamAnnouncement() {
         boolean taken = teamAnnouncementDue;
         teamAnnouncementDue = false;
@@ -196,7 +199,7 @@ public final class AgentSession {
         isNewborn = false;
     }
 
-    /** Returns whether a camera image is due, as in every third cycle after the agent connected. */
+    /** Returns whether a camera image is due; one is taken in every third cycle after the agent connected. */
     boolean seesInThisCycle() {
         return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }

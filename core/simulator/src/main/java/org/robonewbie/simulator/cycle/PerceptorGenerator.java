@@ -71,7 +71,7 @@ final class PerceptorGenerator {
 
     /**
      * Returns whether an awaited agent has not yet joined a team. Until then it sees nothing, because its view would
-     * depend on the order of connections.
+     * depend on the order in which agents connect.
      */
     private static boolean isUnidentified(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();

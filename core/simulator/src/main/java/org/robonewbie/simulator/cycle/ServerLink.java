@@ -5,7 +5,10 @@ import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The simulator's end of an agent's connection. All methods are non-blocking; the defaults are those of an in-process agent. */
+/**
+ * The simulator's end of an agent's connection. All methods are non-blocking. The default implementations are for an
+ * in-process agent.
+ */
 public interface ServerLink {
 
     /** The {@link #closingReason} of an agent that disconnects. */
@@ -30,7 +33,7 @@ public interface ServerLink {
     /** {@return whether the connection is open; false once either side has closed it} */
     boolean isOpen();
 
-    /** {@return why the connection was closed, as the predicate of a sentence such as "has left."} */
+    /** {@return why the connection was closed, as a predicate whose subject is the agent, such as "has left."} */
     default String closingReason() {
         return HAS_LEFT;
     }

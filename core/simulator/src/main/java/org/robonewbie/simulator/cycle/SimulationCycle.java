@@ -41,8 +41,8 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * (SimSpark: {@code simulationserver.cpp}).
  *
  * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message
- * k + 2: a delay of two cycles. Agents are served in the order of their connections or, for agents in other processes,
- * in the {@link TurnOrder}, so that identical answers produce identical games.
+ * k + 2: a delay of two cycles. Agents are served in the order in which they connected or, for agents in other
+ * processes, in the {@link TurnOrder}, so that identical answers produce identical games.
  */
 public final class SimulationCycle implements Restorable {
 
@@ -251,7 +251,7 @@ public final class SimulationCycle implements Restorable {
     /**
      * Counts the connected agents that have sent a message.
      *
-     * @param team the team whose port they used; empty for agents on the common port
+     * @param team the team whose port the agents use; empty for agents on the common port
      * @return their number
      */
     public int speakingAgents(Optional<String> team) {
@@ -330,7 +330,7 @@ public final class SimulationCycle implements Restorable {
         agent.connection().messageGenerated();
     }
 
-    /** {@return the exact state of world, game, agents and messages in transit} */
+    /** {@return the exact state of the world, the game, the agents and the messages in transit} */
     public WorldState save() {
         readMessages();
         return WorldState.of(settings, this);

@@ -79,7 +79,7 @@ public final class SteppedSimulator implements AutoCloseable {
     /**
      * Connects an agent.
      *
-     * @return the agent's end
+     * @return the agent's end of the connection
      */
     public AgentLink connect() {
         return connect(this::cycle);
@@ -89,7 +89,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * Connects one of several agents that run on this thread.
      *
      * @param turn called repeatedly while the agent waits for a message; must let the other agents answer and call {@link #cycle}
-     * @return the agent's end
+     * @return the agent's end of the connection
      */
     public AgentLink connect(Runnable turn) {
         SteppedLink link = new SteppedLink(turn);
@@ -106,7 +106,7 @@ public final class SteppedSimulator implements AutoCloseable {
         cycle.connect(link, true);
     }
 
-    /** {@return whether each agent has sent its answer ending with {@code (syn)}} */
+    /** {@return whether each agent has sent an answer that ends with {@code (syn)}} */
     public boolean isReady() {
         return missingAgent().isEmpty();
     }

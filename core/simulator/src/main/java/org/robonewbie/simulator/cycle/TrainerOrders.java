@@ -26,7 +26,7 @@ public final class TrainerOrders {
      * Creates the executor.
      *
      * @param cycle the simulation to change
-     * @param fullState requests a full message to all monitors
+     * @param fullState requests a full message for all monitors
      * @param end ends the simulation
      */
     public TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {

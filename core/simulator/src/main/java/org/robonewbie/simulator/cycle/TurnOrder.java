@@ -9,8 +9,8 @@ import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 
 /**
  * A canonical order of the awaited agents in other processes. It makes a game independent of the order in which they
- * connect. Their robots are created sorted by robot type; after joining, agents are served in the order of team names
- * and uniform numbers.
+ * connect. Their robots are created in order of robot type; after joining, agents are served in order of team name and
+ * uniform number.
  *
  * <p>Before they join, robots of one type are interchangeable. Each joining agent gets the first robot of its type.
  */

@@ -25,7 +25,7 @@ public record WorldSettings(
     /**
      * Returns the settings of the league.
      *
-     * @return synchronous settings with pitch, rules and noise of the league and seed 0
+     * @return synchronous settings with the league's pitch, rules and noise, and with seed 0
      */
     public static WorldSettings league() {
         return of(SoccerParameters.league());
@@ -34,7 +34,7 @@ public record WorldSettings(
     /**
      * Returns the settings for beginners.
      *
-     * @return synchronous settings with the beginners' pitch and rules and seed 0
+     * @return synchronous settings with the beginners' pitch and rules, and with seed 0
      */
     public static WorldSettings beginner() {
         return of(SoccerParameters.beginner());
@@ -45,7 +45,7 @@ public record WorldSettings(
     }
 
     /**
-     * Changes pitch and rules.
+     * Changes the pitch and the rules.
      *
      * @param value the new parameters
      * @return a changed copy

@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * A recording with its sidecar files of the same name, which are moved and deleted together.
+ * A recording and its sidecar files, which have the same name and are moved and deleted together.
  *
  * @param recording the recording file; its name ends with {@code .part} while it is being written
  */

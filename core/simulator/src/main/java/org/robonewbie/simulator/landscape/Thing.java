@@ -45,7 +45,7 @@ public record Thing(String name, Vector3 size, double massKg, Pose pose) {
     }
 
     /**
-     * Returns a copy with another pose.
+     * Returns a copy with the given pose.
      *
      * @param now the new pose
      * @return the moved thing

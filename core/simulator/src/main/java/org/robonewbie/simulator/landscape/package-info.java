@@ -1,5 +1,5 @@
 /**
- * Things on the pitch besides goals and ball. Read {@link org.robonewbie.simulator.landscape.Landscape} first.
+ * Things on the pitch besides the goals and the ball. Read {@link org.robonewbie.simulator.landscape.Landscape} first.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

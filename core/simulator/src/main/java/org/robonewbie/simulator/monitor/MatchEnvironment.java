@@ -10,7 +10,9 @@ import org.robonewbie.protocol.monitor.Environment.Measure;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** The environment message, which describes pitch and rules to monitors in the order of rcssserver3d 0.7.3. */
+/**
+ * The environment message, which describes the pitch and the rules to monitors in the same order as rcssserver3d 0.7.3.
+ */
 final class MatchEnvironment {
 
     private static final List<SoccerParameter> REPORTED = List.of(

@@ -12,8 +12,8 @@ import org.robonewbie.protocol.monitor.MonitorMessageWriter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. Every 0.2 s it gets a line with a monitor
- * message: a full one at least every 3 s and whenever the scene has changed, otherwise a partial one.
+ * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. A line with a monitor message is written
+ * every 0.2 s: a full message at least every 3 s and whenever the scene has changed, otherwise a partial one.
  *
  * <p>Each line is flushed, so that a killed server leaves a valid log.
  */

@@ -11,10 +11,11 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * The state that monitors receive after a cycle.
  *
  * @param game the state of the match
- * @param fouls fouls of the match in order; old ones may be omitted, because monitors receive only new ones
+ * @param fouls fouls of the match in chronological order; old ones may be omitted, because monitors receive only new
+ *     ones
  * @param ballTransform transform of the ball, a 4 × 4 matrix in column-major order; must not be modified
  * @param things other objects on the pitch
- * @param robots all robots in the order of their connections
+ * @param robots all robots in the order in which they connected
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record MonitorSnapshot(
@@ -28,9 +29,9 @@ public record MonitorSnapshot(
      * Takes a snapshot of the world for monitors.
      *
      * @param game the state of the match
-     * @param fouls fouls of the match in order
-     * @param world the world with ball and other objects
-     * @param robots all robots in the order of their connections
+     * @param fouls fouls of the match in chronological order
+     * @param world the world with the ball and other objects
+     * @param robots all robots in the order in which they connected
      * @return the current state
      */
     public static MonitorSnapshot of(

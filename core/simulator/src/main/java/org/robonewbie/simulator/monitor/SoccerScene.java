@@ -8,7 +8,7 @@ import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * The scene that monitors draw: pitch, ball, other objects, and robots in the order of their connections.
+ * The scene that monitors draw: pitch, ball, other objects, and robots in the order in which they connected.
  */
 final class SoccerScene {
 

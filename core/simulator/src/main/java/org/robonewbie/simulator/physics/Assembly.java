@@ -4,7 +4,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
 /**
- * Group of bodies and colliders, such as a robot or a goal. They do not collide with each other, except in the scenery.
+ * Group of bodies and colliders, such as a robot or a goal. Its colliders do not collide with each other, except in the
+ * scenery.
  */
 public interface Assembly {
 
@@ -33,7 +34,7 @@ public interface Assembly {
      * @param body the body
      * @param shape the shape
      * @param material material of the surface
-     * @param owner the object it belongs to, see {@link Collider#owner()}
+     * @param owner the object that the collider belongs to; see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addCollider(RigidBody body, Shape shape, Material material, Object owner);
@@ -41,10 +42,10 @@ public interface Assembly {
     /**
      * Adds a static collider.
      *
-     * @param pose pose of its centre
+     * @param pose pose of the shape's centre
      * @param shape the shape
      * @param material material of the surface
-     * @param owner the object it belongs to, see {@link Collider#owner()}
+     * @param owner the object that the collider belongs to; see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner);
@@ -52,9 +53,9 @@ public interface Assembly {
     /**
      * Adds a static trigger, which reports contacts without exerting forces.
      *
-     * @param pose pose of its centre
+     * @param pose pose of the shape's centre
      * @param shape the shape
-     * @param owner the object it belongs to, see {@link Collider#owner()}
+     * @param owner the object that the collider belongs to; see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addTrigger(BodyPose pose, Shape shape, Object owner);

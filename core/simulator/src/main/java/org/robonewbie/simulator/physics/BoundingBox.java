@@ -15,7 +15,7 @@ public record BoundingBox(Vector3 min, Vector3 max) {
      * Computes the bounding box of a shape.
      *
      * @param shape the shape
-     * @param pose pose of its centre
+     * @param pose pose of the shape's centre
      * @return its bounding box
      */
     public static BoundingBox of(Shape shape, BodyPose pose) {

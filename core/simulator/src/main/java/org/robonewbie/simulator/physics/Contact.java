@@ -15,11 +15,11 @@ public interface Contact {
     Vector3 position();
 
     /**
-     * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction.
+     * Adds the contact force to running sums. The force acts on the body of the first collider and includes friction.
      * It is zero before the step, for a trigger, and between sleeping bodies.
      *
-     * @param sums seven elements, in newtons and newton metres, to which are added: the force, the position times the
-     *     magnitude of the force, and that magnitude
+     * @param sums seven running sums, in newtons and newton metres: three for the force, three for the position times
+     *     the magnitude of the force, and one for that magnitude
      */
     void addTo(double[] sums);
 }

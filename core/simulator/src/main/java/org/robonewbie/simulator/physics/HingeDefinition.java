@@ -22,7 +22,7 @@ public record HingeDefinition(
     public static final double STOP_ERROR_REDUCTION = 0.8;
 
     /**
-     * Factor that reduces a motor torque that points away from the stop that the hinge has reached (ODE: fudge factor).
+     * Factor applied to a motor torque that points away from the stop reached by the hinge (ODE: fudge factor).
      */
     public static final double FUDGE_FACTOR = 1e-5;
 }

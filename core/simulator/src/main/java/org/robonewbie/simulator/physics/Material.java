@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Contact properties of a surface. Friction is unlimited but slips under load.
+ * Contact properties of a surface. Friction is unlimited, but the surface slips under load.
  *
  * <p>If a value is empty, that of the other surface applies; if both are empty, the engine's default applies. Source:
  * SimSpark's contact joint handler and ODE's contact parameters.

@@ -24,8 +24,8 @@ public interface PhysicsWorld extends Restorable {
     Assembly addAssembly();
 
     /**
-     * {@return the permanent assembly for everything else, such as ball and outer walls; its bodies collide with each
-     * other and with all others}
+     * {@return the permanent assembly for everything else, such as the ball and the outer walls; its bodies collide
+     * with each other and with all others}
      */
     Assembly scenery();
 
@@ -33,7 +33,7 @@ public interface PhysicsWorld extends Restorable {
      * Adds the ground, an infinite plane at z = 0.
      *
      * @param material material of the surface
-     * @param owner the object it belongs to, see {@link Collider#owner()}
+     * @param owner the object that the collider belongs to; see {@link Collider#owner()}
      * @return its collider
      */
     Collider addGround(Material material, Object owner);
@@ -41,7 +41,7 @@ public interface PhysicsWorld extends Restorable {
     /**
      * Scales the grip of all surfaces.
      *
-     * @param factor above 0; 1 is nominal, and at 0.5 surfaces slip twice as fast under the same force
+     * @param factor above 0; 1 is nominal, and at 0.5 surfaces slip twice as fast as at 1 under the same force
      */
     void setGrip(double factor);
 

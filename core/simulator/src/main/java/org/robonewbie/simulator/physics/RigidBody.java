@@ -5,8 +5,8 @@ import org.robonewbie.nao.Vector3;
 /**
  * Rigid body whose origin is its centre of mass.
  *
- * <p>After some time at rest a body falls asleep and is skipped until {@link #wake()} or contact with a body that is awake.
- * Setting its position does not wake it.
+ * <p>After some time at rest, a body falls asleep and is skipped until {@link #wake()} is called or it touches a body
+ * that is awake. Setting its position does not wake it.
  */
 public interface RigidBody {
 

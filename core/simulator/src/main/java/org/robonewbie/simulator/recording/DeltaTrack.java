@@ -15,7 +15,7 @@ final class DeltaTrack {
         last = new long[count];
     }
 
-    /** Returns the given track, or a new one if it is null or has a different size. */
+    /** Returns the given track, or a new one if it is null or its size differs. */
     static DeltaTrack fitting(@Nullable DeltaTrack known, int count) {
         return known != null && known.last.length == count ? known : new DeltaTrack(count);
     }
@@ -26,7 +26,7 @@ final class DeltaTrack {
         last[index] = steps;
     }
 
-    /** Writes the position and quaternion of a pose as the values starting at an index. */
+    /** Writes the position and quaternion of a pose as the seven values starting at the given index. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();
         put(index, position.x(), RecordingFormat.STEPS_PER_METRE, sink);

@@ -36,7 +36,7 @@ final class RecordSink {
         send();
     }
 
-    /** Starts a record and returns the buffer for its content; {@link #put} ends the record. */
+    /** Starts a record and returns the buffer for its contents; {@link #put} ends the record. */
     ByteSink newPayload() {
         payload.clear();
         return payload;

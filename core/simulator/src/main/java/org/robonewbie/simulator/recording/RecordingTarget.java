@@ -6,7 +6,7 @@ package org.robonewbie.simulator.recording;
  */
 public interface RecordingTarget {
 
-    /** Discards all bytes; the recording still has a checksum. */
+    /** A target that discards all bytes; the checksum of the recording is still computed. */
     RecordingTarget NONE = new RecordingTarget() {
 
         @Override

@@ -70,7 +70,7 @@ public final class RecordingWriter implements AutoCloseable {
      *
      * @param snapshot the world at the end of the cycle
      * @param events match events, such as {@code goal left Stars}
-     * @param commands supplies the commands for a robot by its index in the snapshot
+     * @param commands supplies the commands for a robot, given its index in the snapshot
      */
     public void write(WorldSnapshot snapshot, List<String> events, IntFunction<List<EffectorCommand>> commands) {
         events.forEach(sink::putEvent);

@@ -14,8 +14,8 @@ import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * Writes the recording of a run and collects the results for its report. Not thread-safe. Of the robots that have left,
- * only the most recent ones keep their results, so that a long-running server uses a bounded amount of memory.
+ * Writes the recording of a run and collects the results for its report. Not thread-safe. For robots that have left,
+ * only the most recent results are kept, so that a long-running server uses a bounded amount of memory.
  */
 public final class RunRecorder implements AutoCloseable {
 
@@ -50,7 +50,7 @@ public final class RunRecorder implements AutoCloseable {
     /**
      * Stores the state before the physics step.
      *
-     * @param participants all robots in the order of their connections
+     * @param participants all robots in the order in which they connected
      */
     public void beforeStep(List<Participant> participants) {
         present = participants;
@@ -73,7 +73,7 @@ public final class RunRecorder implements AutoCloseable {
      *
      * @param cycle number of the cycle
      * @param match the game
-     * @param participants all robots in the order of their connections
+     * @param participants all robots in the order in which they connected
      */
     public void cycleEnded(long cycle, Match match, List<Participant> participants) {
         cycles = cycle;

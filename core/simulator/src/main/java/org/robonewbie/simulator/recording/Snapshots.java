@@ -20,8 +20,8 @@ public final class Snapshots {
      *
      * @param cycle number of the cycle
      * @param match the game
-     * @param world the world with ball and other objects
-     * @param participants all robots in the order of their connections
+     * @param world the world with the ball and other objects
+     * @param participants all robots in the order in which they connected
      * @return the current state
      */
     public static WorldSnapshot of(long cycle, Match match, SoccerWorld world, List<Participant> participants) {

@@ -13,7 +13,7 @@ import org.robonewbie.simulator.script.RubyToken.Kind;
 
 /**
  * Tokenizer for the subset of Ruby that start scripts use. Comments, {@code =begin}, {@code __END__}, strings and
- * here-documents are recognised, so that their content is never mistaken for code.
+ * here-documents are recognised, so that their contents are never mistaken for code.
  */
 final class RubyLexer {
 

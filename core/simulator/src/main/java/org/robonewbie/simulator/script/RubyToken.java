@@ -5,7 +5,7 @@ package org.robonewbie.simulator.script;
  *
  * @param kind its kind
  * @param text the word or operator; the value of a string or symbol
- * @param line line number from 1
+ * @param line one-based line number
  * @param from index of its first character in the script
  * @param to index just after its last character
  */

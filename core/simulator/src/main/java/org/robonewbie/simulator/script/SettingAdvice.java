@@ -79,7 +79,7 @@ final class SettingAdvice {
         return STANDARD_SCRIPTS.contains(path.substring(path.lastIndexOf('/') + 1));
     }
 
-    /** Returns what to do about an unsupported setting, as a sentence. */
+    /** Returns advice on an unsupported setting, as a sentence. */
     static String of(String name, Optional<Object> value) {
         String known = ORIGINAL.get(name);
         if (known != null) {

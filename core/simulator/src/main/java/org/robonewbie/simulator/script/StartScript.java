@@ -10,7 +10,7 @@ import org.robonewbie.simulator.Console;
 /**
  * Settings in a start script of rcssserver3d: soccer parameters, as {@code addSoccerVar('RuleHalfTime', 5.0 * 60)} or
  * {@code RuleHalfTime = 60}, and the variables {@code $agentPort}, {@code $serverPort}, {@code $agentSyncMode} and
- * {@code $enableRealTimeMode}, including settings in the scripts that it runs. Lines that look like a setting but are
+ * {@code $enableRealTimeMode}, including settings in the scripts that it runs. Lines that look like settings but are
  * not supported are reported with the reason; all other Ruby code is ignored.
  *
  * <p>Source: the scripts {@code rcssserver3d.rb} and {@code naosoccersim.rb} of rcssserver3d 0.7.3.

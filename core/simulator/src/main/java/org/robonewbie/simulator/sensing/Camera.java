@@ -62,7 +62,7 @@ public final class Camera implements Restorable {
      * Creates a camera and draws its constant calibration error.
      *
      * @param field the pitch with its landmarks and lines
-     * @param settings view cone, noise and optional readings
+     * @param settings view cone, noise, and which optional values are reported
      * @param random source of all noise; unused without noise
      */
     public Camera(SoccerField field, CameraSettings settings, RandomGenerator random) {

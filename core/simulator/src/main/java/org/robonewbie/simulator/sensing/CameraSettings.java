@@ -49,7 +49,7 @@ public record CameraSettings(
     }
 
     /**
-     * Returns a copy with different ground-truth readings, which a real camera does not have.
+     * Returns a copy that reports the given ground-truth values, which a real camera cannot provide.
      *
      * @param ownPositionOn whether the true position of the robot's own head is reported
      * @param ownOrientationOn whether the true direction of the robot's own head is reported

@@ -53,7 +53,7 @@ final class AgentAcceptor {
 
     /**
      * Reads until nothing more arrives, for example an agent's last answer and its disconnection. A limit protects
-     * against endless senders.
+     * against agents that never stop sending.
      */
     void receiveAll() {
         receive();
@@ -76,7 +76,7 @@ final class AgentAcceptor {
         newLinks.forEach(LocalLink::close);
     }
 
-    /** Admits new agents; returns whether there was activity at the port. */
+    /** Admits new agents; returns whether there was activity on the port. */
     private boolean admit(long milliseconds) {
         boolean active = port.listen(milliseconds, this::admit);
         for (LocalLink link = newLinks.poll(); link != null; link = newLinks.poll()) {

@@ -80,7 +80,7 @@ public final class Simulator implements AutoCloseable {
      * Returns whether an agent that connected through a team's endpoint was disconnected because it blocked sync mode.
      *
      * @param team the team
-     * @return whether any was
+     * @return whether any agent was disconnected
      */
     public boolean wasSilent(String team) {
         return simulation.wasSilent(team);

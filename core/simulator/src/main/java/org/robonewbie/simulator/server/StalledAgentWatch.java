@@ -10,9 +10,10 @@ import org.robonewbie.simulator.cycle.AgentChannel;
 import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
- * Reports agents that block sync mode and disconnects those in other processes after a timeout. For a new agent, which
- * has answered for less than a simulated second, the timeout is about a third as long. It is halved whenever a new
- * agent is disconnected, so that a client that reconnects repeatedly delays the other agents only briefly.
+ * Reports agents that block sync mode and disconnects those in other processes after a timeout. The timeout for a new
+ * agent, which has answered for less than a simulated second, is about a third of the normal timeout. Whenever a new
+ * agent is disconnected, this shorter timeout is halved, so that a client that reconnects repeatedly delays the other
+ * agents only briefly.
  */
 final class StalledAgentWatch {
 

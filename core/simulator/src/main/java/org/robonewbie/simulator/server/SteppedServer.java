@@ -54,7 +54,7 @@ public final class SteppedServer implements AutoCloseable {
     /**
      * Connects an agent through the TCP port.
      *
-     * @return the agent's end
+     * @return the agent's end of the connection
      * @throws IOException if the connection fails
      */
     public AgentLink connect() throws IOException {

@@ -103,8 +103,8 @@ final class BallTracker implements Memory {
     }
 
     /**
-     * Returns whether the ball is behind the goal line and crossed it inside the goal, judging by its position and
-     * velocity. Detects a goal if the ball is too fast for the contact test.
+     * Returns whether the ball is behind the goal line and crossed it inside the goal, based on its position and
+     * velocity. Detects a goal even if the ball is too fast for the contact test.
      */
     private boolean hasCrossedGoalLine(TeamSide side) {
         double sign = side == TeamSide.LEFT ? -1 : 1;

@@ -103,7 +103,7 @@ final class ChargingRule implements FoulRule {
                 && robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED);
     }
 
-    /** Returns whether a robot is expected to reach the ball later than the other one. */
+    /** Returns whether a robot is expected to reach the ball later than the other robot. */
     private boolean isLater(Approach robot, Approach other) {
         boolean farther = robot.ballDistance()
                 > other.ballDistance() + parameters.get(SoccerParameter.CHARGING_MIN_DELTA_DISTANCE);

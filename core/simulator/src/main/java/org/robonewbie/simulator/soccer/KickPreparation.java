@@ -34,7 +34,7 @@ final class KickPreparation {
     }
 
     /**
-     * Returns whether the time limit for a kick has expired and the ball must be dropped. A limit of 0 disables this.
+     * Returns whether the time limit for a kick has expired and the ball must be dropped. A limit of 0 means no limit.
      */
     static boolean isLate(Match match) {
         double limit = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);

@@ -66,7 +66,7 @@ public final class Match implements Restorable {
         this.shootout = parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT);
     }
 
-    /** {@return clock, half, score and play mode} */
+    /** {@return the clock, the half, the score and the play mode} */
     public MatchState state() {
         return state;
     }
@@ -81,12 +81,12 @@ public final class Match implements Restorable {
         return parameters;
     }
 
-    /** {@return the events since the last {@link #clearEvents}, in order, unmodifiable} */
+    /** {@return the events since the last {@link #clearEvents}, in chronological order, unmodifiable} */
     public List<MatchEvent> events() {
         return events.events();
     }
 
-    /** Clears the events. Call when they have been recorded. */
+    /** Clears the events. Call after they have been recorded. */
     public void clearEvents() {
         events.clear();
     }
@@ -130,7 +130,7 @@ public final class Match implements Restorable {
         setPlayMode(side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT);
     }
 
-    /** Starts a kick-off for the team that the rules or a coin toss determine. */
+    /** Starts a kick-off for the team determined by the rules or by a coin toss. */
     public void kickOff() {
         boolean first = !halfBegun;
         TeamSide side = Optional.<TeamSide>empty()
@@ -186,7 +186,10 @@ public final class Match implements Restorable {
         referee.judge(mayBeam());
     }
 
-    /** {@return the latest fouls in order, unmodifiable; a penalty is listed once for each cycle that it lasts} */
+    /**
+     * {@return the latest fouls in chronological order, unmodifiable; a penalty is listed once for each cycle that it
+     * lasts}
+     */
     public List<Foul> fouls() {
         return referee.fouls();
     }

@@ -30,7 +30,7 @@ public final class MatchState {
         return playTicks * Cycle.SECONDS;
     }
 
-    /** {@return the time since the last change of the play mode in seconds} */
+    /** {@return the time in seconds since the last change of the play mode} */
     public double modeSeconds() {
         return modeTicks * Cycle.SECONDS;
     }

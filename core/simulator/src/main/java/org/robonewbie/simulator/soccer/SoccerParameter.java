@@ -6,8 +6,8 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Parameters of pitch, robots, noise and rules, with the names of SimSpark's {@code naosoccersim.rb} and their values in the
- * league and beginners' profiles.
+ * Parameters of the pitch, the robots, the noise and the rules, with their names in SimSpark's {@code naosoccersim.rb}
+ * and their values in the league and beginners' profiles.
  *
  * <p>Source of names and league values: rcssserver3d 0.7.3. Boolean values are {@code true} or {@code false}.
  */
@@ -106,7 +106,7 @@ public enum SoccerParameter {
     USE_CHARGING("UseCharging", true, false, "whether running into an opponent is a foul"),
     /** Minimum speed of a charging robot. */
     CHARGING_MIN_SPEED("ChargingMinSpeed", 0.4, 0.4, "metres per second"),
-    /** Minimum angle between a charging robot's motion and the ball. */
+    /** Minimum angle between a charging robot's motion and the direction to the ball. */
     CHARGING_MIN_BALL_SPEED_ANGLE(
             "ChargingMinBallSpeedAngle", 30, 30, "degrees between the robot's motion and the ball"),
     /** Charging: minimum difference between the robots' distances from the ball. */
@@ -118,7 +118,10 @@ public enum SoccerParameter {
     CHARGING_IMMUNITY_TIME("ChargingImmunityTime", 1, 1, "seconds of immunity after a touch of the ball"),
     /** Charging: time without contact after which a contact is a new collision. */
     CHARGING_COLLISION_MIN_TIME("ChargingCollisionMinTime", 0.2, 0.2, "seconds without contact before a new collision"),
-    /** Charging: distance up to which a robot is near the ball; if both robots are farther away, the ball is ignored. */
+    /**
+     * Charging: distance up to which a robot counts as near the ball; if both robots are farther away, the ball is
+     * ignored.
+     */
     CHARGING_MAX_BALL_RULES_DISTANCE("ChargingMaxBallRulesDist", 1, 1, "maximum metres to the ball for the ball rules"),
     /** Charging: minimum distance of a collision from the ball. */
     CHARGING_MIN_COLLISION_BALL_DISTANCE("ChargingMinCollBallDist", 0.1, 0.1, "metres from the collision to the ball"),
@@ -132,7 +135,7 @@ public enum SoccerParameter {
     FOUL_ON_SELF_COLLISIONS("FoulOnSelfCollisions", true, false, "whether a self-collision is a foul"),
     /** Time for which joints are frozen after a self-collision. */
     SELF_COLLISION_JOINT_FROZEN_TIME("SelfCollisionJointFrozenTime", 1, 1, "seconds for which the joints are frozen"),
-    /** Time for which joints are immune after they were frozen. */
+    /** Time for which joints are immune after being frozen. */
     SELF_COLLISION_JOINT_THAW_TIME("SelfCollisionJointThawTime", 2, 2, "seconds until the joints can be frozen again"),
     /** Whether a self-collision is penalised by removal from the pitch. */
     SELF_COLLISION_BEAM_PENALTY(
@@ -156,7 +159,7 @@ public enum SoccerParameter {
     /** Whether illegal defence is penalised by removal from the pitch. */
     ILLEGAL_DEFENSE_BEAM_PENALTY(
             "IllegalDefenseBeamPenalty", false, false, "whether illegal defence removes the robot from the pitch"),
-    /** Crowding: distance between ball and opponent below which the foul is called. */
+    /** Crowding: distance between the ball and an opponent below which the foul is called. */
     MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is called"),
     /** Crowding: distance that a team's second robot must keep from the ball. */
     MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that the second robot of a team keeps from the ball"),
@@ -220,7 +223,7 @@ public enum SoccerParameter {
         return simSparkName;
     }
 
-    /** {@return a description in one line, with the unit} */
+    /** {@return a one-line description, including the unit} */
     public String description() {
         return description;
     }
@@ -256,7 +259,7 @@ public enum SoccerParameter {
      * Suggests the parameter with the most similar name.
      *
      * @param name a misspelt name
-     * @return a space and a sentence, see {@link Spelling#question}
+     * @return a space and a sentence; see {@link Spelling#question}
      */
     public static String question(String name) {
         return Spelling.question(

@@ -57,7 +57,7 @@ public final class SoccerParameters {
      * Returns a numeric value.
      *
      * @param parameter the parameter
-     * @return the value in the unit of the parameter
+     * @return the value in the parameter's unit
      */
     public double get(SoccerParameter parameter) {
         return values[parameter.ordinal()];
@@ -74,7 +74,7 @@ public final class SoccerParameters {
     }
 
     /**
-     * Returns a copy with another value.
+     * Returns a copy in which one parameter is set to the given value.
      *
      * @param parameter the parameter
      * @param value the new value; 1 for true and 0 for false
@@ -87,7 +87,7 @@ public final class SoccerParameters {
     }
 
     /**
-     * Returns a copy with an assignment from the command line.
+     * Returns a copy in which one parameter is set by an assignment from the command line.
      *
      * @param assignment an assignment such as {@code RuleHalfTime=60} or {@code UseCharging=false}
      * @return the changed parameters

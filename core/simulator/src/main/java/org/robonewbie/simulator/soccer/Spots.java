@@ -4,7 +4,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
-/** Positions of the ball for set pieces, in the world frame in metres, and waiting positions beside the pitch. */
+/** Ball positions for set pieces, in the world frame in metres, and waiting positions beside the pitch. */
 final class Spots {
 
     private static final double SPACING_BESIDE_PITCH = 0.6;
@@ -46,8 +46,8 @@ final class Spots {
     }
 
     /**
-     * Returns the waiting position of a player beside the pitch, on the side away from the ball; each number has its
-     * own.
+     * Returns the waiting position of a player beside the pitch, on the side away from the ball; each uniform number
+     * has its own position.
      */
     static Vector3 besidePitch(Match match, Player player) {
         double x = SPACING_BESIDE_PITCH * (NUMBER_AT_HALFWAY_LINE - player.number());

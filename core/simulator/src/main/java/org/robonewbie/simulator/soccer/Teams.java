@@ -10,8 +10,8 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The two teams of a match (SimSpark: {@code gamestateaspect.cpp}). The first team name plays on the left, the second on the
- * right. Both names stay reserved when the players leave, until the match is reset.
+ * The two teams of a match (SimSpark: {@code gamestateaspect.cpp}). The first team to join plays on the left, the
+ * second on the right. Both names stay reserved when the players leave, until the match is reset.
  */
 public final class Teams {
 
@@ -34,7 +34,7 @@ public final class Teams {
     }
 
     /**
-     * Returns the team of a side.
+     * Returns the team on a side.
      *
      * @param side half that the team defends
      * @return the team; empty before its first player joins
@@ -71,7 +71,7 @@ public final class Teams {
                 .findFirst();
     }
 
-    /** Finds the player of a robot. */
+    /** Finds the player to which a robot belongs. */
     Optional<Player> playerOf(Robot robot) {
         for (int i = 0; i < players.size(); i++) {
             if (players.get(i).robot() == robot) {
@@ -82,13 +82,13 @@ public final class Teams {
     }
 
     /**
-     * Adds a robot to a team and moves it to its start position at the side line.
+     * Adds a robot to a team and moves it to its start position beside the side line.
      *
      * @param name team name
      * @param number requested number; 0 for the lowest free one
      * @param robot the robot
      * @return the new player
-     * @throws JoinRefusedException if team, number or robot type are not allowed
+     * @throws JoinRefusedException if the team, number or robot type is not allowed
      */
     public Player join(String name, int number, Robot robot) throws JoinRefusedException {
         Team team = findOrCreate(name);

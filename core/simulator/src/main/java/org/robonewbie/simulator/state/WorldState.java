@@ -15,12 +15,12 @@ import org.robonewbie.nao.state.StateWriter;
  * world.restore(start);
  * }</pre>
  *
- * <p>A state can be restored only in a world with the same settings, so these are part of it. The binary format starts with
- * {@code RNSTATE}, the format version and a CRC-32 checksum of the rest: the settings as text, then the content.
+ * <p>A state can be restored only in a world with the same settings, so it contains them. The binary format starts with
+ * {@code RNSTATE}, the format version and a CRC-32 checksum of the rest: the settings as text, then the saved data.
  */
 public final class WorldState {
 
-    /** Format version. Increment it with every change of the saved content. */
+    /** Format version. Increment it whenever the format of the saved data changes. */
     private static final byte VERSION = 1;
 
     private static final byte[] MAGIC = {'R', 'N', 'S', 'T', 'A', 'T', 'E', VERSION};
@@ -51,7 +51,7 @@ public final class WorldState {
      *
      * @param present the settings of the world
      * @param world the world
-     * @throws IllegalArgumentException if the settings differ or the content does not fit the world
+     * @throws IllegalArgumentException if the settings differ or the saved data does not fit the world
      */
     public void restore(String present, Restorable world) {
         if (!settings.equals(present)) {
@@ -67,7 +67,7 @@ public final class WorldState {
      *
      * @param bytes the result of {@link #toBytes()}
      * @return the state
-     * @throws IllegalArgumentException if the bytes are not a state, have another version, or are damaged
+     * @throws IllegalArgumentException if the bytes are not a state in this format version or are damaged
      */
     public static WorldState ofBytes(byte[] bytes) {
         int mismatch = Arrays.mismatch(MAGIC, bytes);
@@ -87,7 +87,7 @@ public final class WorldState {
         return state;
     }
 
-    /** {@return the binary format of the state, equal for equal states} */
+    /** {@return the state in binary form; equal states give equal bytes} */
     public byte[] toBytes() {
         StateWriter body = new StateWriter();
         body.putText(settings);

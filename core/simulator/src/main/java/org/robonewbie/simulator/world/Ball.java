@@ -23,7 +23,7 @@ public final class Ball {
         scenery.addCollider(body, shape, SurfaceMaterials.BALL, this);
     }
 
-    /** {@return radius and mass of the ball} */
+    /** {@return the radius and mass of the ball} */
     public BallProperties properties() {
         return properties;
     }
@@ -49,7 +49,7 @@ public final class Ball {
     }
 
     /**
-     * Moves the ball without changing its velocity and spin, as a trainer does.
+     * Moves the ball without changing its velocity or spin, as a trainer does.
      *
      * @param position position in the world frame in metres, limited to 1 km per axis
      */
@@ -59,7 +59,7 @@ public final class Ball {
     }
 
     /**
-     * Sets the velocity and removes the spin, as a trainer does.
+     * Sets the velocity and stops the spin, as a trainer does.
      *
      * @param metresPerSecond velocity in the world frame, limited to 1000 m/s per axis
      */
@@ -80,7 +80,7 @@ public final class Ball {
     }
 
     /**
-     * Sets pose, velocity and spin.
+     * Sets the pose, velocity and spin.
      *
      * @param motion pose, velocity and spin
      */

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 /** Builder of the static environment: ground, outer walls and goals (SimSpark: soccer.rsg, goal.rsg). */
 final class Pitch {
 
-    /** Owner of the colliders of ground and walls. */
+    /** Owner of the colliders of the ground and the walls. */
     static final Object SCENERY = new Object();
 
     private static final BodyPose ORIGIN = new BodyPose(Vector3.ZERO, RotationMatrix.IDENTITY);

@@ -25,8 +25,8 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 /**
  * Simulated robot body with motors, inertial sensors and force sensors.
  *
- * <p>Frames are SimSpark's: a link has x to the right of the robot, y forward, z up. Indices of hinges and links are those of
- * {@link NaoModel}.
+ * <p>Frames are SimSpark's: in the frame of a link, x points to the right of the robot, y forward, z up. Indices of
+ * hinges and links are those of {@link NaoModel}.
  *
  * <pre>{@code
  * robot.setMotorSpeed(Joint.LEFT_KNEE_PITCH, -1.0);
@@ -218,7 +218,7 @@ public final class Robot {
     }
 
     /**
-     * Sets pose and velocity of all links and wakes them. All motors hold until the next command.
+     * Sets the poses and velocities of all links and wakes them. All motors hold until the next command.
      *
      * @param links one motion per link of the {@link #model}, consistent with its joints
      */
@@ -270,7 +270,7 @@ public final class Robot {
     }
 
     /**
-     * Scales the mass of all links. Not part of a saved state.
+     * Scales the masses of all links. The factor is not part of a saved state.
      *
      * @param factor multiple of the robot type's mass, above 0
      */

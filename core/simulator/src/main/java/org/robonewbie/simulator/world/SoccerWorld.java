@@ -109,9 +109,9 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Scales the grip of all surfaces. Not part of a saved state.
+     * Scales the grip of all surfaces. The factor is not part of a saved state.
      *
-     * @param factor above 0; 1 is SimSpark's grip, and at 0.5 surfaces slip twice as fast under the same force
+     * @param factor above 0; 1 is SimSpark's grip, and at 0.5 surfaces slip twice as fast as at 1 under the same force
      */
     public void setGrip(double factor) {
         engine.setGrip(factor);

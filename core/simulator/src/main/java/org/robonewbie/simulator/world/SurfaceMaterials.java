@@ -6,8 +6,8 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.Material.Bounce;
 
 /**
- * Surface materials with the effective values of rcssserver3d 0.7.3, where some lines of the scene files fail silently.
- * Only the material of movable objects is not SimSpark's.
+ * Surface materials with the effective values of rcssserver3d 0.7.3, in which some lines of the scene files fail
+ * silently. Only the material of movable objects is not SimSpark's.
  */
 final class SurfaceMaterials {
 

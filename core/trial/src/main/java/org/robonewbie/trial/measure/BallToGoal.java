@@ -6,8 +6,8 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The minimum distance, in metres, from the ball's centre to the right goal line between the posts. A goal of the left team
- * makes it 0 and decides the measure; own goals do not count.
+ * The minimum distance, in metres, from the ball's centre to the right goal line between the posts. A goal by the left
+ * team sets the value to 0 and decides the measure; own goals do not count.
  */
 public final class BallToGoal implements Measure {
 

@@ -10,7 +10,7 @@ import org.robonewbie.trial.jar.OfferedClass;
 
 /**
  * A registry of factories. It finds the framework's factories and your own classes by name. A jar that lists its
- * classes in {@code META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
+ * classes in {@code META-INF/services} provides them by their simple names; see {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));

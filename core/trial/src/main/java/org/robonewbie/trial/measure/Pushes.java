@@ -8,7 +8,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Pushes the first robot in random directions, for 0.1 s each. The same seed gives the same pushes. */
+/** Pushes against the first robot in random directions, each lasting 0.1 s. The same seed gives the same pushes. */
 public final class Pushes implements TrialHook {
 
     private static final int CYCLES_PER_PUSH = 5;

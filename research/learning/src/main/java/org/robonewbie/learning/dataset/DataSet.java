@@ -65,7 +65,7 @@ public final class DataSet {
      * @param withMessages whether to record the messages between robots and agents as text
      * @param facts additional properties for the description, such as versions and settings
      * @return the data set
-     * @throws IOException if the folder cannot be written
+     * @throws IOException if the folder cannot be written to
      * @throws IllegalArgumentException if the folder contains a complete data set, or an incomplete one with different
      *     settings
      */
@@ -134,7 +134,7 @@ public final class DataSet {
     /**
      * Returns whether a run is complete.
      *
-     * @param run the number of the run, from 1
+     * @param run the number of the run, starting from 1
      * @return whether its tables are complete
      */
     public synchronized boolean has(int run) {
@@ -145,7 +145,7 @@ public final class DataSet {
     /**
      * Begins the tables of a run.
      *
-     * @param run the number of the run, from 1
+     * @param run the number of the run, starting from 1
      * @param seed the seed of the run
      * @return the tables, which must be added to the simulation as an observer
      * @throws IOException if a file cannot be written
@@ -174,7 +174,7 @@ public final class DataSet {
     /**
      * Deletes the unfinished tables of a run.
      *
-     * @param run the number of the run, from 1
+     * @param run the number of the run, starting from 1
      * @throws IOException if a file cannot be deleted
      */
     public void discard(int run) throws IOException {
@@ -182,7 +182,7 @@ public final class DataSet {
         events.discard(run);
     }
 
-    /** {@return the runs whose agent failed, in order} */
+    /** {@return the runs whose agent failed, ordered by number} */
     public synchronized List<RunResult> failures() {
         return runs.values().stream()
                 .filter(result -> !result.failure().isEmpty())

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 /**
  * Result of a run, a row of the table of runs.
  *
- * @param run the number of the run, from 1
+ * @param run the number of the run, starting from 1
  * @param seed the seed of the run
  * @param cycles the length of the run in cycles; 0 if it failed and has no tables
  * @param rows the number of rows in its table of cycles

@@ -6,8 +6,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 
 /**
- * Follow a commanded velocity, which is redrawn every 3 s. The options {@code forward}, {@code left} and {@code turn} set
- * a constant command instead.
+ * Base class for tasks in which the robot follows a commanded velocity, which is redrawn every 3 s. The options
+ * {@code forward}, {@code left} and {@code turn} set a constant command instead.
  */
 abstract class CommandedTraining extends TrainingTask {
 

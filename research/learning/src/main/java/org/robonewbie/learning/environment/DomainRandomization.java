@@ -137,7 +137,7 @@ public final class DomainRandomization {
     }
 
     /**
-     * Sets the number of cycles per action, unless an option sets it.
+     * Returns a copy with a default number of cycles per action; a value that an option has set is kept.
      *
      * @param cycles the number of cycles
      * @return the changed options
@@ -151,7 +151,7 @@ public final class DomainRandomization {
         return Optional.ofNullable(ranges.get(name));
     }
 
-    /** Returns the value of an option that takes a single number. */
+    /** Returns the value of an option that takes a single number; {@code defaultValue} if the option is not set. */
     double of(Name name, double defaultValue) {
         return range(name).map(Range::low).orElse(defaultValue);
     }

@@ -11,9 +11,9 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow velocities beyond the limits of the walk engine by correcting its output: 0.6 to 1 m/s forward while turning at
- * up to 30°/s, redrawn every 3 s. Without corrections, the robot falls within a few seconds. Reward: 1 per metre along
- * the commanded heading; −3 for a fall.
+ * Task: follow velocities beyond the limits of the walk engine by correcting its output: 0.6 to 1 m/s forward while
+ * turning at up to 30°/s, redrawn every 3 s. Without corrections, the robot falls within a few seconds. Reward: 1 per
+ * metre along the commanded heading; −3 for a fall.
  */
 class EngineFollowTraining extends CommandedTraining {
 

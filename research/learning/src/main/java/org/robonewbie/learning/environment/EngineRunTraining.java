@@ -6,7 +6,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Run straight ahead for 10 s by correcting the output of the walk engine at speeds beyond its limits. Without
+ * Task: run straight ahead for 10 s by correcting the output of the walk engine at speeds beyond its limits. Without
  * corrections, the robot falls within two seconds. Reward: 1 per metre along the initial heading; −3 for a fall. Each
  * episode begins with a push from a random side.
  */

@@ -77,7 +77,8 @@ public record EnvironmentSpec(String task, List<String> options) {
      *
      * @param classes the class loader for custom tasks and measures
      * @return the environment at the start of its first episode
-     * @throws IllegalArgumentException if the task, the reward or an option does not exist; the message lists those that do
+     * @throws IllegalArgumentException if the task, the reward or an option does not exist; the message lists the valid
+     *     names
      */
     public TrainingEnvironment create(ClassLoader classes) {
         return new TrainingEnvironment(runners(classes), randomization());

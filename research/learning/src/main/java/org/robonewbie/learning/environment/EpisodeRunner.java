@@ -29,7 +29,10 @@ final class EpisodeRunner implements Controller {
     /** Relative margin of the observation ranges, for joints that overshoot their stops and for sensor noise. */
     private static final double MARGIN = 0.1;
 
-    /** Readings that the option {@code noise} affects: joint angles, gyroscope and accelerometer, which come first in an observation. */
+    /**
+     * Number of readings that the option {@code noise} affects: joint angles, gyroscope and accelerometer. They come
+     * first in an observation.
+     */
     private static final int NOISY_READINGS = Joint.COUNT + 6;
 
     private final TrainingTask task;

@@ -10,9 +10,9 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow a commanded velocity, which is redrawn every 3 s. Reward per second: 1 minus the velocity error over the last
- * 0.4 s. The velocity error is the linear error divided by 0.3 m/s plus the turn rate error divided by 90°/s, at most
- * 1.5. A fall costs 5, so that diving forward does not pay off.
+ * Task: follow a commanded velocity, which is redrawn every 3 s. Reward per second: 1 minus the velocity error over the
+ * last 0.4 s. The velocity error is the linear error divided by 0.3 m/s plus the turn rate error divided by 90°/s, at
+ * most 1.5. A fall costs 5, so that diving forward does not pay off.
  */
 class FollowTraining extends CommandedTraining {
 

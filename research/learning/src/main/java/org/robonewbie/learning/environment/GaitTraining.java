@@ -21,11 +21,11 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Follow velocities that change every 3 s, with a learned gait and learned corrections to the output of the walk
+ * Task: follow velocities that change every 3 s, with a learned gait and learned corrections to the output of the walk
  * engine, while the robot is pushed once per second. Reward for each window of 0.4 s: 1 minus the velocity error, minus
- * a small penalty for the tilt of the torso. The velocity error is the linear error divided by the option {@code
- * tolerance} (in m/s) plus the turn rate error divided by 30°/s, at most 1.5. A fall costs 4, plus 1 for each remaining
- * window.
+ * a small penalty for the tilt of the torso. The velocity error is the linear error divided by the option
+ * {@code tolerance} (in m/s) plus the turn rate error divided by 30°/s, at most 1.5. A fall costs 4, plus 1 for each
+ * remaining window.
  */
 final class GaitTraining extends CommandedTraining {
 

@@ -12,10 +12,10 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance unless
- * the option {@code distance} sets it. Return: 1 minus the distance between the target and the position at which the ball
- * comes to rest, divided by the target distance (at most 2); −1 for a fall. Only the state at the end of the episode
- * counts.
+ * Task: kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance
+ * unless the option {@code distance} sets it. Return: 1 minus the relative error, which is the distance between the
+ * target and the ball's resting position, divided by the target distance, and at most 2; −1 for a fall. Only the state
+ * at the end of the episode counts.
  */
 final class KickToTraining extends TrainingTask {
 

@@ -8,8 +8,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball forward; it lies in front of the right foot. Reward: 1 per metre of forward motion of the ball, including
- * its predicted roll; −1 for a fall.
+ * Task: kick the ball forward. The ball lies in front of the right foot. Reward: 1 per metre of forward motion of the
+ * ball, including its predicted roll; −1 for a fall.
  */
 final class KickTraining extends TrainingTask {
 

@@ -66,8 +66,8 @@ final class MatchTraining extends TrainingTask {
     }
 
     /**
-     * Returns the start pose of a robot by its index. The first robot of a team stands near the ball, the others behind
-     * it in rows of three.
+     * Returns the start pose of the robot with the given index. The first robot of a team stands near the ball, the
+     * others behind it in rows of three.
      */
     private static Pose2d place(int index) {
         int row = (index + 2) / 3;

@@ -46,7 +46,7 @@ public final class Perception {
         ball = new double[camera ? NUMBERS_OF_THE_BALL : 0];
     }
 
-    /** {@return names, units and ranges of the components of an observation; unmodifiable} */
+    /** {@return the names, units and ranges of an observation's components; unmodifiable} */
     public List<ObservedQuantity> quantities() {
         return ball.length > 0 ? WITH_CAMERA : WITHOUT_CAMERA;
     }

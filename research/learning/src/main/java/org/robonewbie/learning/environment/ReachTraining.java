@@ -13,8 +13,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Move the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: the negative
- * distance from the point in metres.
+ * Task: move the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: the
+ * negative distance from the point in metres.
  */
 final class ReachTraining extends TrainingTask {
 

@@ -4,8 +4,8 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.trial.RandomSource;
 
 /**
- * Run straight ahead at a commanded speed of 0.9 to 1.3 m/s, constant within an episode. The reward is that of {@link
- * FollowTraining}, but the linear error is divided by 0.6 m/s.
+ * Task: run straight ahead at a commanded speed of 0.9 to 1.3 m/s, constant within an episode. The reward is that of
+ * {@link FollowTraining}, but the linear error is divided by 0.6 m/s.
  */
 final class RunTraining extends FollowTraining {
 

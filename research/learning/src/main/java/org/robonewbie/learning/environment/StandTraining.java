@@ -5,8 +5,8 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Keep balance while being pushed from random sides once per second, each time harder than before. Reward per cycle: 1
- * minus the tilt of the torso divided by 60°.
+ * Task: keep balance while being pushed from random sides once per second, each time harder than before. Reward per
+ * cycle: 1 minus the tilt of the torso divided by 60°.
  */
 final class StandTraining extends TrainingTask {
 

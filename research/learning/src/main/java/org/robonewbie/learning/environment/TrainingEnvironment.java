@@ -90,7 +90,8 @@ public final class TrainingEnvironment implements AutoCloseable {
      * Begins an episode.
      *
      * @param seed the seed of the episode
-     * @param policy the policy that will act in it; if it contains a gait, the robot walks with that gait
+     * @param policy the policy that will act in the episode; if the policy contains a gait, the robot walks with that
+     *     gait
      */
     public void reset(long seed, Optional<Policy> policy) {
         runners = newRunners(policy);

@@ -61,7 +61,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     /** Creates a task for one episode. */
     protected TrainingTask() {}
 
-    /** Creates a scene with a robot that is in the stance and faces the right goal. */
+    /** Creates a scene with a robot that is in its standard stance and faces the right goal. */
     static Scene scene(double x) {
         return Scene.of(RobotStart.at(x, 0).after(TO_THE_STANCE));
     }
@@ -148,7 +148,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return WalkVelocity.ZERO;
     }
 
-    /** {@return names and units of the components of an action, which are the outputs of a policy} */
+    /** {@return the names and units of an action's components, which are the outputs of a policy} */
     public final List<Quantity> outputs() {
         String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
         return walk().isPresent()
@@ -176,7 +176,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return false;
     }
 
-    /** {@return components of the observation in addition to the perceptors, by default none} */
+    /** {@return the components of the observation in addition to the perceptors, by default none} */
     public List<ObservedQuantity> extraQuantities() {
         return List.of();
     }
@@ -221,7 +221,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * Sets a constant command for the episode, taken from the options {@code forward}, {@code left} and {@code turn}.
      *
      * @param velocity the velocity
-     * @throws IllegalArgumentException if the task has no commanded velocity, as by default
+     * @throws IllegalArgumentException if the task has no commanded velocity, which is the default
      */
     protected void setCommand(WalkVelocity velocity) {
         throw new IllegalArgumentException(
@@ -232,7 +232,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * Sets the target distance for the episode, taken from the option {@code distance}.
      *
      * @param metres the distance
-     * @throws IllegalArgumentException if the task has no target distance, as by default
+     * @throws IllegalArgumentException if the task has no target distance, which is the default
      */
     protected void setDistance(double metres) {
         throw new IllegalArgumentException("This task has no target distance. Omit it, or choose the task KickTo.");

@@ -14,7 +14,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public record VelocityError(int windows, double metresPerSecond, double degreesPerSecond) {
 
-    /** The error of zero windows. */
+    /** The error over zero windows. */
     public static final VelocityError NONE = new VelocityError(0, 0, 0);
 
     private static final double MAX_COST = 1.5;

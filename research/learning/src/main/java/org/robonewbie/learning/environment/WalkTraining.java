@@ -6,8 +6,8 @@ import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Walk forward. Reward: 10 per metre along the initial heading and 1 per second without a fall; −5 for a fall, so that
- * diving forward does not pay off. Each episode begins with a light push from a random side.
+ * Task: walk forward. Reward: 10 per metre along the initial heading and 1 per second without a fall; −5 for a fall, so
+ * that diving forward does not pay off. Each episode begins with a light push from a random side.
  */
 final class WalkTraining extends TrainingTask {
 

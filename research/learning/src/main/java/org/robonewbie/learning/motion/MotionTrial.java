@@ -33,8 +33,9 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the
- * beginning of the measurement. By default, a fall ends the trial, and later steps have no effect.
+ * Scripted trial in which a robot plays motions and walks, step by step. Most trials begin with the robot in its
+ * {@linkplain org.robonewbie.agent.walk.Stance standard stance}. Positions are relative to the pose at the beginning of
+ * the measurement. By default, a fall ends the trial, and later steps have no effect.
  *
  * <pre>{@code
  * try (MotionTrial trial = MotionTrial.inStance(seed, 3)) {
@@ -60,7 +61,7 @@ public final class MotionTrial implements AutoCloseable {
     private static final double UPRIGHT_DEGREES = 12;
     private static final double REST_METRES_PER_SECOND = 0.05;
 
-    /** Pool of unused direct trials by robot type; resetting a trial is much faster than creating one. */
+    /** Pools of unused direct trials, keyed by robot type; resetting a trial is much faster than creating one. */
     private static final Map<RobotType, Queue<Trial>> IDLE = new ConcurrentHashMap<>();
 
     private final Trial trial;
@@ -93,7 +94,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Creates a trial of a standard robot in the stance.
+     * Creates a trial of a robot of type 0 in its standard stance.
      *
      * @param seed the seed of the disturbances
      * @param newtons force of the pushes
@@ -104,7 +105,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Creates a trial of a standard robot in the stance at a given pose.
+     * Creates a trial of a robot of type 0 that stands in its standard stance at a given pose.
      *
      * @param place the pose
      * @param seed the seed of the disturbances
@@ -118,7 +119,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Creates a trial of a robot in the stance.
+     * Creates a trial of a robot in its standard stance.
      *
      * @param type the robot type
      * @param style the walk style
@@ -145,8 +146,8 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Moves to the stance via a randomly disturbed posture, begins the measurement, and starts pushing the robot once per
-     * second.
+     * Moves the robot to its standard stance via a randomly disturbed posture, begins the measurement, and starts
+     * pushing the robot once per second.
      *
      * @param seed the seed of the disturbances
      * @param newtons force of the pushes
@@ -223,7 +224,7 @@ public final class MotionTrial implements AutoCloseable {
     /**
      * Walks while a condition holds. The robot keeps walking afterwards until {@link #stopWalking}.
      *
-     * @param velocity supplies the velocity of each cycle
+     * @param velocity supplies the velocity for each cycle
      * @param condition evaluated in each cycle
      * @return whether the trial continues; false if a fall has ended it
      */
@@ -259,14 +260,14 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * {@return whether the robot is in the stance after holding its joints for 0.6 s; false if a fall has ended the
-     * trial; see {@link #isInStance}}
+     * {@return whether the robot is in its standard stance after holding its joints for 0.6 s; false if a fall has
+     * ended the trial; see {@link #isInStance}}
      */
     public boolean endsInStance() {
         return hold(SETTLING_SECONDS) && isInStance();
     }
 
-    /** {@return whether the robot stands upright, at rest and in the stance} */
+    /** {@return whether the robot stands upright, at rest and in its standard stance} */
     public boolean isInStance() {
         return isAtRest() && body().joints().largestDifference(Stance.POSTURE) < POSTURE_DEGREES;
     }
@@ -278,7 +279,7 @@ public final class MotionTrial implements AutoCloseable {
                 && trial.robot(0).torsoVelocity().length() < REST_METRES_PER_SECOND;
     }
 
-    /** {@return the underlying trial, for access to robot and ball} */
+    /** {@return the underlying trial, for access to the robot and the ball} */
     public Trial trial() {
         return trial;
     }

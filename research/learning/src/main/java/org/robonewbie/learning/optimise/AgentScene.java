@@ -14,14 +14,14 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Scene for the trials of an agent. The seed of a trial varies the positions of robot and ball, the heading and the
- * noise.
+ * Scene for the trials of an agent. The seed of a trial varies the positions of the robot and the ball, the heading and
+ * the noise.
  *
  * @param place the robot's position, in metres from the centre of the field
  * @param degrees the robot's heading; 0 is towards the opponents' goal, positive is left
  * @param ball the position of the ball
- * @param spreadMetres largest offset of robot and ball along each axis, 0 to 3; the heading varies by 60 degrees per
- *     metre of this offset
+ * @param spreadMetres largest offset of the robot and the ball along each axis, 0 to 3; the heading varies by 60
+ *     degrees per metre of this offset
  * @param seconds maximum length of a trial, above 0 and at most 3600
  */
 public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds)

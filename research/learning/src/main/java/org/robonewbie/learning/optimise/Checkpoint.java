@@ -16,8 +16,8 @@ import org.robonewbie.trial.batch.Journal;
 
 /**
  * Journal of an optimisation. Each line holds the costs of the candidates of a generation, the score of the generation
- * for display, and a CRC-32 of the file up to that point, separated by bars; the checksum is optional. The costs
- * determine the next candidates, so a search resumes exactly where it was interrupted.
+ * for display, and a CRC-32 of the file up to that point, separated by vertical bars; the checksum is optional. The
+ * costs determine the next candidates, so a search resumes exactly where it was interrupted.
  */
 final class Checkpoint implements AutoCloseable {
 

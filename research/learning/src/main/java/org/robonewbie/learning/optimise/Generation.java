@@ -3,7 +3,7 @@ package org.robonewbie.learning.optimise;
 /**
  * Result of one generation of an optimisation.
  *
- * @param number the number of the generation, from 1
+ * @param number the number of the generation, starting from 1
  * @param of the planned number of generations
  * @param score the score of its candidates
  * @param distribution the distribution of the next candidates

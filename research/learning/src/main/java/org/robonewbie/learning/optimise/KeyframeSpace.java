@@ -45,7 +45,7 @@ final class KeyframeSpace {
         return joints.size() + joints.stream().mapToInt(List::size).sum();
     }
 
-    /** Returns the motion at a point of the space; the origin is the original motion. */
+    /** Returns the motion at a point in the space; the origin is the original motion. */
     Motion motion(double[] coordinates) {
         List<Keyframe> keyframes = new ArrayList<>(motion.keyframes());
         int at = 0;
@@ -72,7 +72,7 @@ final class KeyframeSpace {
         return new Motion(motion.name(), keyframes);
     }
 
-    /** Returns the parameters of the motion at a point of the space. */
+    /** Returns the parameters of the motion at a point in the space. */
     List<Parameter> numbers(double[] coordinates) {
         List<Keyframe> keyframes = motion(coordinates).keyframes();
         List<Parameter> numbers = new ArrayList<>();

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * Effect of a motion on the positions of robot and ball. It must be preserved when energy or sway is minimised.
+ * Effect of a motion on the positions of the robot and the ball. It must be preserved when energy or sway is minimised.
  *
  * @param forward forward motion of the robot, in metres
  * @param left motion of the robot to the left, in metres

@@ -20,10 +20,11 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Trial of a motion, as defined by the properties in its file: {@code // start: stance} or {@code // start: lying on
- * back} is the initial pose, {@code // end: stance} or {@code // end: lying on front} the required final pose, {@code //
- * ball: 0.190 m ahead, -0.055 m to the left} the position of the ball. A motion that starts and ends in {@code walking}
- * is played in a loop. By default, a motion starts in the stance and must end without a fall.
+ * Trial of a motion, as defined by the properties in its file: {@code // start: stance} or
+ * {@code // start: lying on back} is the initial pose, {@code // end: stance} or {@code // end: lying on front} the
+ * required final pose, {@code // ball: 0.190 m ahead, -0.055 m to the left} the position of the ball. A motion that
+ * starts and ends in {@code walking} is played in a loop. By default, the robot starts in its standard stance and must
+ * not fall.
  */
 final class MotionScene {
 

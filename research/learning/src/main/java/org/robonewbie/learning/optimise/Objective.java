@@ -49,7 +49,7 @@ public record Objective(String label, Supplier<Measure> measure) {
     }
 
     /**
-     * Returns whether a motion that moves less gets a better value, in which case the effect of the motion must be
+     * Returns whether the value improves if the robot moves less, in which case the effect of the motion must be
      * preserved.
      */
     boolean rewardsInaction() {

@@ -35,15 +35,17 @@ public final class PolicyModel {
     public static final String DEFAULT_INPUTS = "(?!joint\\.).*";
 
     /**
-     * Scale of the bias of an output that follows a hidden layer. It is larger than that of a weight, because the bias
-     * shifts the whole posture.
+     * Scale of the bias of an output that follows a hidden layer. It is larger than the scale of a weight, because the
+     * bias shifts the whole posture.
      */
     private static final double BIAS_SCALE = 4;
 
     private static final double GAIT_SCALE = 3;
     private static final String RANGE = "range-degrees";
 
-    /** Typical magnitude of an input by its unit. For inputs with other units, it is half of their range. */
+    /**
+     * Typical magnitude of an input, keyed by unit. For inputs with other units, the magnitude is half of their range.
+     */
     private static final Map<String, Double> TYPICAL =
             Map.of("degrees", 30.0, "degrees/s", 100.0, "m/s²", 10.0, "N", 50.0, "1", 1.0);
 
@@ -150,7 +152,8 @@ public final class PolicyModel {
      *
      * @param policy the policy
      * @return the parameters
-     * @throws IllegalArgumentException if the policy was learned for another task or has another network
+     * @throws IllegalArgumentException if the policy was learned for another task or its network differs from that of
+     *     this model
      */
     public double[] initial(Policy policy) {
         policy.require(quantities(), task.outputs());
@@ -197,8 +200,8 @@ public final class PolicyModel {
     /**
      * Creates a policy.
      *
-     * @param about how it was learned, as comments for its file
-     * @param parameters its parameters
+     * @param about comments for the policy's file that describe how the policy was learned
+     * @param parameters the parameters of the policy
      * @return the policy
      */
     public Policy policy(List<String> about, double... parameters) {

@@ -53,7 +53,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
      *
      * @param model the task
      * @param episodes the number of episodes
-     * @param policy the policy that acts in them
+     * @param policy the policy that acts in the episodes
      * @return the statistics of the episodes
      * @throws IOException if an episode cannot be played
      * @throws IllegalArgumentException if the policy was learned for another task

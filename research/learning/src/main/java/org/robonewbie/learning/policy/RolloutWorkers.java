@@ -23,7 +23,7 @@ final class RolloutWorkers implements AutoCloseable {
         this.model = model;
     }
 
-    /** Plays {@code count} episodes. The functions return the policy and the seed for the index of an episode. */
+    /** Plays {@code count} episodes. The functions return the policy and the seed of an episode, given its index. */
     RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) throws IOException {
         return new RolloutStatistics(runner.run(
                 IntStream.range(0, count).boxed().toList(), i -> play(policies.apply(i), seeds.applyAsLong(i))));

@@ -49,7 +49,7 @@ public record ExperimentPlan(
      * @param file the file
      * @return the plan
      * @throws IOException if the file cannot be read
-     * @throws IllegalArgumentException if a line is invalid; the message gives its number
+     * @throws IllegalArgumentException if a line is invalid; the message contains the line number
      */
     public static ExperimentPlan read(Path file) throws IOException {
         String experiment = "";
@@ -131,10 +131,10 @@ public record ExperimentPlan(
     }
 
     /**
-     * Rejects parameters that the experiment does not have.
+     * Rejects parameters that the experiment does not define.
      *
-     * @param known the names of its parameters
-     * @throws IllegalArgumentException if the plan has another parameter; the message suggests a similar name
+     * @param known the names of the experiment's parameters
+     * @throws IllegalArgumentException if the plan contains an unknown parameter; the message suggests a similar name
      */
     public void requireKnown(List<String> known) {
         List<String> given = new ArrayList<>(values.keySet());
@@ -150,7 +150,9 @@ public record ExperimentPlan(
         }
     }
 
-    /** {@return all trials in order; the seed of a trial depends only on the plan's seed and the trial's number} */
+    /**
+     * {@return all trials, ordered by number; a trial's seed depends only on its number and on the seed of the plan}
+     */
     public List<PlannedTrial> all() {
         SplittableRandom seeds = new SplittableRandom(seed);
         List<PlannedTrial> all = new ArrayList<>(trials);

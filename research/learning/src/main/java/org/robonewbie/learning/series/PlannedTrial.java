@@ -7,7 +7,7 @@ import java.util.Map;
 /**
  * One trial of a plan.
  *
- * @param number the number of the trial, from 0
+ * @param number the zero-based number of the trial
  * @param seed the seed of the trial
  * @param parameters the numeric parameters, in the order of the plan
  * @param texts the text parameters, in the order of the plan

@@ -17,9 +17,9 @@ import org.robonewbie.nao.text.Csv;
  * additional column contains the reasons.
  *
  * @param columns names of the measured values
- * @param trials the trials in order
+ * @param trials the trials, ordered by number
  * @param measured the values of each trial, empty if it failed; not to be modified
- * @param failures reasons for failures by trial number
+ * @param failures reasons for failures, by trial number
  */
 public record ResultTable(
         List<String> columns, List<PlannedTrial> trials, List<double[]> measured, Map<Integer, String> failures) {
@@ -27,7 +27,7 @@ public record ResultTable(
     private static final String FAILURE = "failure";
 
     /**
-     * Writes the table to a file, as JSON if its name ends with .json, else as CSV.
+     * Writes the table to a file, as JSON if the file name ends with .json, otherwise as CSV.
      *
      * @param file the file, which is replaced atomically
      * @throws IOException if the file cannot be written

@@ -26,8 +26,9 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
  * teams; every third message has camera data), sensing, acting and formatting the answer. Nothing is sent, and the
  * program computes nothing.
  *
- * <p>{@link #perception} measures the immutable perception alone; allocations of the other benchmarks beyond it are
- * overhead. Sample mode yields median times but itself allocates memory, so read the allocations from the averages.
+ * <p>{@link #perception} measures the immutable perception alone; any additional allocations in the other benchmarks
+ * are overhead. Sample mode yields median times but itself allocates memory, so take the allocations from the
+ * average-time results.
  */
 @State(Scope.Thread)
 @BenchmarkMode({Mode.SampleTime, Mode.AverageTime})

@@ -18,7 +18,10 @@ final class ReplayLink implements AgentLink {
             "/org/robonewbie/protocol/recorded/a_agent_two_teams_hear_playon_noise.txt.gz";
     private static final List<byte[]> MESSAGES = load();
 
-    /** First message, with number and side: a server sends them only once, and a robot needs them before it plays. */
+    /**
+     * First message, with the number and the side: a server sends them only once, and a robot needs them before it
+     * plays.
+     */
     private static final byte[] WELCOME =
             "(time (now 0.02))(GS (unum 1) (team left) (t 0.00) (pm PlayOn))".getBytes(StandardCharsets.US_ASCII);
 

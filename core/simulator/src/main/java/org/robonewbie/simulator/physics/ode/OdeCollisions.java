@@ -51,11 +51,11 @@ public final class OdeCollisions implements Restorable {
     private final DGeom.DNearCallback collision = this::collide;
     private final double[] points = new double[MAX_POINTS * DOUBLES_PER_POINT];
 
-    /** Receives each pair of touching shapes. */
+    /** Listener for pairs of touching shapes. */
     public interface Listener {
 
         /**
-         * Reports a pair.
+         * Called for each pair.
          *
          * @param first the first collider
          * @param second the second collider

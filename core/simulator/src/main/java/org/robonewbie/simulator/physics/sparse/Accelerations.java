@@ -28,7 +28,7 @@ final class Accelerations {
     private int[] endRow = {};
     private int[] firstBoundedRow = {};
     private boolean[] hinge = {};
-    /** Whether a row of the joint has a nonzero force at its limit. */
+    /** Whether each joint has a row with a nonzero force at its limit. */
     private boolean[] pushing = {};
 
     private boolean[] selected = {};
@@ -146,7 +146,9 @@ final class Accelerations {
         addHalf(response, from, endRow[joint], body, 3);
     }
 
-    /** Adds to the linear (half = 0) or angular (half = 3) part of a body's acceleration. */
+    /**
+     * Adds the effect of a joint's rows to the linear (half = 0) or angular (half = 3) part of a body's acceleration.
+     */
     private void addHalf(double[] response, int from, int end, int body, int half) {
         int to = body + half;
         double x = sums[to];
@@ -164,7 +166,7 @@ final class Accelerations {
         sums[to + 2] = z;
     }
 
-    /** Returns the residual A λ - b of a row, based on the accelerations computed last. */
+    /** Returns the residual A λ - b of a row, based on the most recently computed accelerations. */
     double residual(int joint, int row) {
         double motion = ConstraintRows.dot6(rows.firstJacobian, DIMENSIONS * row, sums, DIMENSIONS * first[joint]);
         if (second[joint] != CouplingGraph.FIXED) {

@@ -61,7 +61,10 @@ final class BlockKernels {
         }
     }
 
-    /** Subtracts the outer product of three finished columns, at a distance to the left, from the three columns below a corner. */
+    /**
+     * Subtracts the outer product of three finished columns, which lie the given distance to the left, from the three
+     * columns below a corner.
+     */
     private static void subtractFinished(double[] m, int corner, int width, int end, int distance) {
         int first = corner - distance;
         double a0 = m[first];

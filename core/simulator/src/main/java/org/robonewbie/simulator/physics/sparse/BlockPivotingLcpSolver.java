@@ -112,7 +112,9 @@ final class BlockPivotingLcpSolver {
         }
     }
 
-    /** Bounds the time spent on a pile of interpenetrating robots, whose LCP converges slowly. */
+    /**
+     * Returns the iteration limit, which bounds the time spent on interpenetrating robots: their LCP converges slowly.
+     */
     private int maxIterations() {
         int affordable = MAX_ITERATIONS_TIMES_ROWS / Math.max(1, rows.count);
         return Math.max(MIN_ITERATIONS, Math.min(MAX_ITERATIONS, affordable));
@@ -199,7 +201,7 @@ final class BlockPivotingLcpSolver {
         return pushed;
     }
 
-    /** Counts the infeasible rows. Only bodies that have a row at its limit need their accelerations here. */
+    /** Counts the infeasible rows. Computes accelerations only for bodies that have a row at its limit. */
     private int countInfeasible() {
         accelerations.selectAll(false);
         boolean any = false;

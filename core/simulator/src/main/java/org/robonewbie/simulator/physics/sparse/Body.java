@@ -95,7 +95,7 @@ final class Body implements RigidBody, Restorable {
         return quaternion;
     }
 
-    /** Returns a counter of changes to the orientation, for values that are derived from it. */
+    /** Returns a version number that changes with the orientation, so that derived values can be cached. */
     int rotationVersion() {
         return rotationVersion;
     }

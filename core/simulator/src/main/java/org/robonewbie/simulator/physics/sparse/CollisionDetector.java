@@ -82,8 +82,8 @@ final class CollisionDetector {
     }
 
     /**
-     * Passes the moves since the last search to ODE in their original order, because it determines the order in which ODE
-     * finds pairs.
+     * Passes the moves since the last search to ODE in their original order, because this order determines the order in
+     * which ODE finds pairs.
      */
     private void updateOdeGeometries() {
         for (ShapeGroup group : groups) {

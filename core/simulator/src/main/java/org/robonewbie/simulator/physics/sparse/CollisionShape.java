@@ -63,8 +63,9 @@ abstract class CollisionShape implements Restorable {
     }
 
     /**
-     * Returns the sequence number of the first move in the period in which the shape last moved (see {@link
-     * UpdateSequence}). It determines the position in ODE's list, which starts with the most recently moved shape.
+     * Returns the sequence number of the first move in the period in which the shape last moved (see
+     * {@link UpdateSequence}). This number determines the shape's position in ODE's list, which starts with the most
+     * recently moved shape.
      */
     int moveNumber() {
         return moveNumber;

@@ -53,7 +53,7 @@ abstract class ConstraintJoint {
      */
     abstract void writeRows(ConstraintRows rows, double rate);
 
-    /** Sets the initial state of each row that is not expected to be free, judging by the previous step. */
+    /** Sets the initial state of each row that, based on the previous step, is not expected to be free. */
     void setInitialBasis(ConstraintRows rows) {}
 
     /** Reads forces and states from the solved rows. */

@@ -153,8 +153,8 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     }
 
     /**
-     * Writes the angular rows: the last one is about the axis of the child, the two before it about axes perpendicular to
-     * it.
+     * Writes the angular rows: the last one is about the axis of the child, the other two about axes perpendicular to
+     * that axis.
      */
     private void writeAxisRows(ConstraintRows rows, double rate) {
         double x = Rotations.dot(child.rotation, 0, fixed, AXIS_ON_CHILD);
@@ -210,8 +210,8 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     }
 
     /**
-     * Applies the motor as an external torque, because the stop uses its row. The torque is reduced if it points away
-     * from the stop.
+     * Applies the motor as an external torque, because the stop uses the motor's row. The torque is reduced if it
+     * points away from the stop.
      */
     private void applyMotorTorque(double[] jacobian, int inwards) {
         boolean forwards = motorSpeed > 0 || (motorSpeed == 0 && inwards < 0);

@@ -97,7 +97,9 @@ final class SymbolicFactorization {
         return key.length + 6 * order.length + 2 * coupled.elements.length + updates.length + overlaps.length;
     }
 
-    /** Returns whether the arrays are long enough for a number of joints, but not more than twice as long. */
+    /**
+     * Returns whether the arrays are long enough for the given number of joints, but at most twice as long as needed.
+     */
     boolean hasRoomFor(int otherJoints) {
         return otherJoints <= order.length && order.length <= 2 * otherJoints;
     }

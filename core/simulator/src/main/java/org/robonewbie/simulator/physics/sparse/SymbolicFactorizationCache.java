@@ -17,7 +17,7 @@ final class SymbolicFactorizationCache {
     private static final int MAX_UNUSED_LOOKUPS = 2_000;
     private static final int MAX_POOLED = 16;
 
-    /** Most recently used first. */
+    /** Cached factorizations, most recently used first. */
     private final List<SymbolicFactorization> factorizations = new ArrayList<>();
     /** Evicted factorizations whose arrays can be reused, oldest first. */
     private final List<SymbolicFactorization> pool = new ArrayList<>();
@@ -79,7 +79,7 @@ final class SymbolicFactorizationCache {
         pool.add(factorization);
     }
 
-    /** Returns the memory of all factorizations except the large one. */
+    /** Returns the total array length of all factorizations except the large one. */
     int memoryInInts() {
         return memoryInInts;
     }
