@@ -36,11 +36,11 @@ test('a static call of a missing class is recognised like its type', () => {
 test('each other missing Java class is reported with an alternative', () => {
   assert.equal(
     said(unknown('class', 'EnumMap')),
-    'This page does not have java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer supports this.',
+    'This page does not provide java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer supports this.',
   );
   assert.equal(
     said(unknown('variable', 'UUID')),
-    'This page does not have java.util.UUID. RoboNewbie on your computer supports this.',
+    'This page does not provide java.util.UUID. RoboNewbie on your computer supports this.',
   );
 });
 
@@ -49,7 +49,7 @@ test('imports are recognised by their package', () => {
   assert.match(said(unknown('class', 'EnumMap', 'package java.util')), /HashMap or TreeMap/);
   assert.match(said('package java.util.concurrent.atomic does not exist'), /no threads/);
   assert.match(said('package javax.swing does not exist'), /cannot open windows/);
-  assert.match(said('This page does not have java.lang.Thread.sleep'), /no threads/);
+  assert.match(said('This page does not provide java.lang.Thread.sleep'), /no threads/);
 });
 
 test('misspelt names and missing imports are left to the compiler', () => {

@@ -63,7 +63,7 @@ final class FinishPage {
                 String way = "../".repeat(folder.relativize(page).getNameCount() - 1);
                 String offered = text.replaceFirst("<input id=\"search\"", TRY + way + "index.html\">Try it now</a>\n      $0");
                 if (offered.equals(text) && text.contains("class=\"brand\"")) {
-                    throw new IOException(page + " has no search field before which the link \"Try it now\" could be inserted.");
+                    throw new IOException(page + " has no search field; the link \"Try it now\" belongs in front of it.");
                 }
                 Files.writeString(page, offered);
             }

@@ -49,7 +49,7 @@ const NAMES = [
   /symbol: +(?:class|variable|static) +([A-Z]\w*)[^]*location: +package ([\w.]+)/,
   /symbol: +(?:class|variable|static) +([A-Z]\w*)/,
   /package ([A-Z]\w*) does not exist/,
-  /(?:have|has no|for) (javax?\.(?:[a-z]\w*\.)*[A-Z]\w*)/,
+  /(?:provide|has no|for) (javax?\.(?:[a-z]\w*\.)*[A-Z]\w*)/,
 ];
 
 /**
@@ -87,7 +87,7 @@ function advice(name) {
     return known[1];
   }
   const similar = SIMILAR[name.slice(name.lastIndexOf('.') + 1)];
-  return `This page does not have ${name}${similar ? `: use ${similar} instead` : ''}. ${ELSEWHERE}`;
+  return `This page does not provide ${name}${similar ? `: use ${similar} instead` : ''}. ${ELSEWHERE}`;
 }
 
 /** @param {string} remark @param {Map<string, string>} missing */

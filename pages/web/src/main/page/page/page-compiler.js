@@ -71,7 +71,7 @@ export class PageCompiler {
       const waiting = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
       if (data.failure) {
-        waiting?.fail(new Error(`The compiler of this page has failed: ${data.failure}. Reload the page.`));
+        waiting?.fail(new Error(`The compiler on this page has failed: ${data.failure}. Reload the page.`));
       } else {
         waiting?.done(data);
       }

@@ -14,7 +14,7 @@ export function addExportButtons(room, repository) {
       foot.append(
         button(
           'Download',
-          'Downloads all programs of this browser as a project for your computer, with everything it needs except Java (a 16 MB zip file)',
+          'Downloads all programs in this browser as a project for your computer, with everything it needs except Java (a 16 MB zip file)',
           () => room().attempt(() => save(room(), repository)),
           { id: 'program-zip' },
         ),
@@ -44,6 +44,6 @@ async function showLink(room) {
   history.replaceState(undefined, '', link);
   await navigator.clipboard?.writeText(link).catch(() => {});
   room.surroundings.note(
-    'The link contains this program. It is in the address bar, and was copied if the browser allows that.',
+    'The link contains this program. It is in the address bar and, if the browser allows it, also on the clipboard.',
   );
 }

@@ -85,6 +85,6 @@ export class WorldConnection {
 
   /** @param {string} reason */
   #fail(reason) {
-    this.listener.refused(`The simulator of this page has failed: ${reason}. Reload the page.`);
+    this.listener.refused(`The simulator on this page has failed: ${reason}. Reload the page.`);
   }
 }

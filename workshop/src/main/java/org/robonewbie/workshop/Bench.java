@@ -30,7 +30,7 @@ import picocli.CommandLine.ScopeType;
             "  bench server --fast         let 22 robots play over TCP",
             "  bench speed --robots 1,22   how fast is a step?",
             "  bench fidelity              how close is it to the real rcssserver3d?",
-            "  bench speed --help          more about one subject",
+            "  bench speed --help          help for one command",
             "",
             "bench is short for: java -jar workshop/target/bench.jar"
         })
@@ -86,10 +86,10 @@ public final class Bench {
         @Option(
                 names = "--seeds",
                 paramLabel = "N",
-                description = "Number of trials, each with a different disturbance (20).")
+                description = "Number of trials, each with a different disturbance (default: 20).")
         private int seeds = 20;
 
-        @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (1).")
+        @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (default: 1).")
         private long firstSeed = 1;
 
         private int seeds() {
@@ -119,7 +119,7 @@ public final class Bench {
                             paramLabel = "0..4",
                             defaultValue = "0",
                             description =
-                                    "Robot type; types 1 to 4 walk only in the full simulator (${DEFAULT-VALUE}).")
+                                    "Robot type; types 1 to 4 walk only in the full simulator (default: ${DEFAULT-VALUE}).")
                     int type,
             @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
                     Optional<Path> json)
@@ -161,13 +161,15 @@ public final class Bench {
                             names = "--players",
                             paramLabel = "N",
                             defaultValue = "3",
-                            description = "Players of each team, 1 to 11; 1 plays alone (${DEFAULT-VALUE}).")
+                            description =
+                                    "Players per team, 1 to 11; a single player plays alone (default: ${DEFAULT-VALUE}).")
                     int players,
             @Option(
                             names = "--against",
                             paramLabel = "AGENT",
                             defaultValue = TeamMeasurement.DEFAULT_OPPONENT,
-                            description = "The opponents, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
+                            description =
+                                    "The opponents, Agent_BetterSoccer or Agent_Team (default: ${DEFAULT-VALUE}).")
                     String opponent) {
         new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out)
                 .run(checked("--players", players, 1, 11), opponent);

@@ -30,15 +30,17 @@ final class FidelityCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "DIRECTORY",
-            description = "Folder with recordings (*.jsonl, *.jsonl.gz); without it, those that come with RoboNewbie.")
+            description = "Folder with recordings (*.jsonl, *.jsonl.gz); default: the recordings that come"
+                    + " with RoboNewbie.")
     private Optional<Path> directory = Optional.empty();
 
     @Option(
             names = "--link",
             paramLabel = "LINK",
             defaultValue = "none",
-            description = "How the recorded commands reach the robot: none (applied directly to the world;"
-                    + " default), in-process or tcp (sent as agent messages through a full server).")
+            description = "How the recorded commands reach the robot: none applies them directly to the"
+                    + " world; in-process and tcp send them as agent messages through a full server"
+                    + " (default: none).")
     private String link = "none";
 
     @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")

@@ -78,7 +78,7 @@ final class RecordCommand implements Callable<Integer> {
     @Option(
             names = "--commands",
             paramLabel = "FILE",
-            description = "Record a robot with the commands of this recording (.jsonl or .jsonl.gz).")
+            description = "Record a robot that repeats the commands of this recording (.jsonl or .jsonl.gz).")
     private Optional<Path> commands = Optional.empty();
 
     @Override

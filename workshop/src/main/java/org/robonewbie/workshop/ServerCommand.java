@@ -41,7 +41,7 @@ final class ServerCommand implements Callable<Integer> {
             names = "--matches",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Consecutive matches on one server (default: 1).")
+            description = "Number of consecutive matches on one server (default: 1).")
     private int matches;
 
     @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of in real time.")

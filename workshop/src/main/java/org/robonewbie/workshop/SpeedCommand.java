@@ -26,18 +26,18 @@ import picocli.CommandLine.Option;
         sortOptions = false,
         footer = {
             "",
-            "The processor time is that of the server alone; the factor of real time includes the agents.",
+            "The processor time is that of the server alone; the real-time factor includes" + " the agents.",
             "",
             "Examples:",
             "  bench speed",
             "  bench speed --robots 1,22 --scene walking --seconds 60 --json result.json",
             "  bench speed --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is there a memory leak?",
-            "  bench speed --json figures.json --table table.md      the table of docs/performance.md",
+            "  bench speed --json figures.json --table table.md      the table in docs/performance.md",
             "  bench speed --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
             "",
             "To measure a real rcssserver3d, set $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the",
-            "folder in which it starts, start it there without a monitor, and find its process with \"pidof rcssserver3d\". Then measure",
-            "it on the same computer, as in the last example; add --port and --monitor-port if its ports are not 3100 and 3200. Robots",
+            "folder in which it starts, start it there without a monitor, and find its process with \"pidof rcssserver3d\". Then measure the",
+            "server on the same computer, as in the last example; add --port and --monitor-port if its ports are not 3100 and 3200. Robots",
             "join one after the other and are placed through the monitor port. The measurement ends with a message if the server",
             "admits no more robots or sends nothing for 20 s. The reported memory is that of this process, not of the server."
         })
@@ -50,14 +50,14 @@ final class SpeedCommand implements Callable<Integer> {
             names = "--robots",
             paramLabel = "N",
             split = ",",
-            description = "Numbers of robots to measure, each 1 to 22 (1,2,6,11,22).")
+            description = "Numbers of robots to measure, each 1 to 22 (default: 1,2,6,11,22).")
     private List<Integer> robots = List.of(1, 2, 6, 11, 22);
 
     @Option(
             names = "--scene",
             paramLabel = "SCENE",
             split = ",",
-            description = "What the robots do: standing, walking, heap (all three).")
+            description = "What the robots do: standing, walking, heap (default: all three).")
     private List<CrowdScene> scenes = List.of(CrowdScene.values());
 
     @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds to measure (default: 20).")
@@ -66,7 +66,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--warm-up",
             paramLabel = "T",
-            description = "Simulated seconds before the measurement, for the JIT compiler (20).")
+            description = "Warm-up for the JIT compiler, in simulated seconds (default: 20).")
     private double warmUpSeconds = 20;
 
     @Option(
@@ -78,7 +78,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--threads",
             paramLabel = "N",
-            description = "Threads of the embedded server and of the agents, 1 to 16 (1).")
+            description = "Threads of the embedded server and of the agents, 1 to 16 (default: 1).")
     private int threads = 1;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
@@ -90,22 +90,23 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--host",
             paramLabel = "H",
-            description = "Measure the server on this computer instead of the embedded one.")
+            description = "Measure the server on the given computer instead of the embedded one.")
     private Optional<String> host = Optional.empty();
 
-    @Option(names = "--port", paramLabel = "N", description = "The port of that server for agents (3100).")
+    @Option(names = "--port", paramLabel = "N", description = "Agent port of the measured server (default: 3100).")
     private int port = 3100;
 
     @Option(
             names = "--monitor-port",
             paramLabel = "N",
-            description = "The port of that server for monitors and" + " trainers (3200).")
+            description = "Monitor and trainer port of the measured server (default: 3200).")
     private int monitorPort = 3200;
 
     @Option(
             names = "--pid",
             paramLabel = "N",
-            description = "The process of that server, if it runs on this computer, to measure its processor time.")
+            description = "Process ID of the measured server, if it runs on this computer, to measure its"
+                    + " processor time.")
     private Optional<Long> processId = Optional.empty();
 
     private boolean begun;
@@ -155,7 +156,7 @@ final class SpeedCommand implements Callable<Integer> {
     private static void checkSeconds(String option, double value) {
         if (!(value > 0 && value <= 1e6)) {
             throw new IllegalArgumentException(
-                    option + " " + value + " is not valid. Use simulated seconds above 0, such as 20.");
+                    option + " " + value + " is not valid. Use a number of simulated seconds above 0, such as 20.");
         }
     }
 

@@ -51,7 +51,7 @@ class BenchTest {
                 "team --against Agent_Nobody | --against must be Agent_BetterSoccer or Agent_Team, not Agent_Nobody.",
                 "server --robots 1 | --robots must be from 2 to 22, not 1.",
                 "speed --robots 1,23 | --robots must be from 1 to 22, not 23.",
-                "speed --seconds 0 | --seconds 0.0 is not valid. Use simulated seconds above 0, such as 20.",
+                "speed --seconds 0 | --seconds 0.0 is not valid. Use a number of simulated seconds above 0, such as 20.",
                 "speed --host localhost --port 70000 | --port must be from 1 to 65535, not 70000.",
                 "speed --json no/such/folder/figures.json | The results cannot be written to the folder",
                 "record --type 7 | --type must be from 0 to 4, not 7.",

@@ -73,9 +73,9 @@ final class ArmBySideTask implements Task {
                 : Score.failed(
                         least == 0 ? (left + right + none) / 2.0 : 2.0 + left + right + none,
                         finding,
-                        "fieldView.players() lists all robots that yours remembers: check isVisible(), and use the"
-                                + " sign of bearing() for the side. An arm counts as up above 50° and as down below"
-                                + " 20°.");
+                        "fieldView.players() also lists robots that are out of sight: check isVisible(),"
+                                + " and use the sign of bearing() to find the side. An arm counts as up above 50°"
+                                + " and as down below 20°.");
     }
 
     /** Returns the number of phases in which the other robot was on the given side and the arms were correct. */

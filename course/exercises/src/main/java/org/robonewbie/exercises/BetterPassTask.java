@@ -116,13 +116,13 @@ final class BetterPassTask implements Task {
                 "first pass %s, second pass %s%s",
                 describe(0),
                 describe(1),
-                strayed > STAYED_METRES ? ", and a player left its place" : "");
+                strayed > STAYED_METRES ? ", and a player left its position" : "");
         if (strayed > STAYED_METRES) {
             return Score.failed(
                     1,
                     finding,
-                    "All players must stay within 0.9 m of their start: number 1 only gets behind the ball and stops"
-                            + " after its kick, and its team mates wait.");
+                    "All players must stay within 0.9 m of where they start: number 1 only gets"
+                            + " behind the ball and stops after its kick, and its team mates wait.");
         }
         boolean first = nearest[0] <= REACHED_METRES;
         boolean second = nearest[1] <= REACHED_METRES;
@@ -131,9 +131,9 @@ final class BetterPassTask implements Task {
                 : Score.failed(
                         first || second ? 3 : 0,
                         finding,
-                        "For each team mate, compute how close an opponent is to the line from the ball to it:"
-                                + " Translation2d.distanceToSegment. Kick.kick walks behind the ball automatically;"
-                                + " pass it the same direction until the ball rolls.");
+                        "For each team mate, compute how close an opponent is to the line from the ball"
+                                + " to that team mate: use Translation2d.distanceToSegment. Kick.kick walks behind"
+                                + " the ball automatically; keep giving it the same direction until the ball rolls.");
     }
 
     private String describe(int number) {

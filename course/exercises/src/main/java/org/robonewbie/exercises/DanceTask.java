@@ -103,7 +103,7 @@ final class DanceTask implements Task {
         int dancing = limbs(true);
         String finding = String.format(
                 Locale.ROOT,
-                "the ball swung once in %.1f s; %d limbs moved, %d of them in that rhythm; %.2f m travelled%s",
+                "the ball swung once every %.1f s; %d limbs moved, %d of them in that rhythm;" + " %.2f m travelled%s",
                 period,
                 moving,
                 dancing,

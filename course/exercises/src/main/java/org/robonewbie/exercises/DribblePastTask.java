@@ -79,8 +79,8 @@ final class DribblePastTask implements Task {
             return Score.failed(
                     passed ? 3 : 2,
                     finding,
-                    "The opponent was pushed. Choose a point to its left, 0.8 m away, and bring the ball there first;"
-                            + " once the ball has passed the opponent, continue to the goal.");
+                    "The opponent was pushed. Choose a point 0.8 m to its left, and take the ball"
+                            + " there first; once the ball has passed the opponent, continue to the goal.");
         }
         if (farthest > FAR_METRES) {
             return Score.failed(

@@ -48,7 +48,7 @@ public final class Exercises {
                     5,
                     "ball-direction",
                     "BallDirection",
-                    "How exact is the view?",
+                    "How accurate is the view?",
                     60,
                     "Say the ball's direction to within 0.5°, however the head and body lean.",
                     12,
@@ -77,7 +77,8 @@ public final class Exercises {
                     "GetUp",
                     "Get up",
                     30,
-                    "Say how you are lying, get up within 12 s, and say when you are standing.",
+                    "Say whether you are on your back or your front, get up within 12 s, and say"
+                            + " when you are standing.",
                     13,
                     GetUpTask::new),
             new Exercise(
@@ -176,7 +177,7 @@ public final class Exercises {
                     "RollingBall",
                     "A model of the ball",
                     90,
-                    "Say where the ball is when it has rolled out of sight.",
+                    "Say where the ball is after it has rolled out of sight.",
                     15,
                     RollingBallTask::new),
             new Exercise(
@@ -212,7 +213,7 @@ public final class Exercises {
                     "PushTogether",
                     "Push together",
                     60,
-                    "Push a wide box over a line with two robots, without turning it.",
+                    "With two robots, push a wide box over a line without turning it.",
                     45,
                     PushTogetherTask::new),
             new Exercise(
@@ -239,7 +240,7 @@ public final class Exercises {
                     "DribblePast",
                     "Past an opponent",
                     90,
-                    "Dribble past an opponent on its left, because the straight path is blocked, without pushing it.",
+                    "Dribble past the left side of an opponent that blocks the straight path," + " without pushing it.",
                     75,
                     DribblePastTask::new));
 

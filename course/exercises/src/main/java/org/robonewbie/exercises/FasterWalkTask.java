@@ -79,7 +79,8 @@ final class FasterWalkTask implements Task {
                 : Score.failed(
                         metres,
                         finding,
-                        "With its default numbers, the framework's walk covers 5.8 m. Pass others to walk.setStyle:"
-                                + " let a program try many, keep the best, and vary it again.");
+                        "With its default numbers, the framework's walk covers 5.8 m. Pass other numbers"
+                                + " to walk.setStyle: let a program try many, keep the best ones, and vary them"
+                                + " again.");
     }
 }

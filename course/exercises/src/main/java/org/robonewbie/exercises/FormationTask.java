@@ -136,7 +136,7 @@ final class FormationTask implements Task {
             return Score.failed(
                     0,
                     String.format(Locale.ROOT, "the ball was touched after %.0f s", seconds),
-                    "No player may touch the ball: the one that goes to it stops 0.6 m in front of it.");
+                    "No player may touch the ball: the one that walks to the ball stops 0.6 m short of it.");
         }
         int right = 0;
         for (boolean[] each : missed) {
@@ -150,9 +150,10 @@ final class FormationTask implements Task {
                 : Score.failed(
                         right - 2,
                         finding,
-                        "Three positions depend on the ball: 0.6 m behind it, on the line to your goal, and further"
-                                + " ahead beside the opponent. Who takes which? Assignment.cheapest finds the"
-                                + " shortest paths, and all players get the same result.");
+                        "Three positions depend on the ball: 0.6 m behind it, on the line to your goal,"
+                                + " and further ahead beside the opponent. Which player takes which?"
+                                + " Assignment.cheapest finds the shortest paths, and all players get the same"
+                                + " result.");
     }
 
     private String describe(int number) {

@@ -88,6 +88,6 @@ final class GetUpTask implements Task {
                 : Score.failed(
                         6,
                         finding + (saidUp ? ", but said \"up\" while it was not standing" : ", but did not say \"up\""),
-                        "Call nao.say(\"up\") when the sensors show that the robot is standing, and not before.");
+                        "Call nao.say(\"up\") when the sensors show that the robot is standing, not before.");
     }
 }

@@ -80,9 +80,7 @@ final class GoalkeeperTask implements Task {
         }
         return Score.failed(
                 shots == 2 ? 4 : 0,
-                shots == 2
-                        ? "saved the first shot; a goal from the second, " + last
-                        : "a goal from the first shot, " + last,
+                shots == 2 ? "saved the first shot; conceded the second, " + last : "conceded the first shot, " + last,
                 shots == 2
                         ? "Get up after a dive and be ready again: the next shot goes to the other side."
                         : "Two camera images of the ball give its velocity and thus the point where it will pass;"

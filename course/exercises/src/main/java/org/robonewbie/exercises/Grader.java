@@ -136,7 +136,7 @@ public final class Grader {
                         0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much in memory?");
             } catch (InterruptedException stopped) {
                 Thread.currentThread().interrupt();
-                return Score.failed(0, "The grading was stopped.", "");
+                return Score.failed(0, "Grading was stopped.", "");
             }
         }
         return Performance.of(

@@ -83,7 +83,8 @@ final class HillTask implements Task {
                 reached ? 4 : 0,
                 finding,
                 reached
-                        ? "Stop at the top, which extends from x = -3.0 to x = -2.3, and stand still for 3 s."
-                        : "The slope is 2 m wide and begins at x = -4.2. Walk to (-4.5, 0) first, turn to 0°, then walk up.");
+                        ? "Stop at the top (x = -3.0 to x = -2.3) and stand still for 3 s."
+                        : "The slope is 2 m wide and begins at x = -4.2. Walk to (-4.5, 0) first, turn to"
+                                + " a heading of 0°, then walk up.");
     }
 }

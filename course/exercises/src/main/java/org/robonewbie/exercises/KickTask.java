@@ -111,7 +111,7 @@ final class KickTask implements Task {
                             + " falls is too fast or goes too far.");
         }
         if (walked > STAYED_METRES) {
-            return Score.failed(2, finding, "Kick from where you stand: that was a walk.");
+            return Score.failed(2, finding, "Kick from where you stand, without walking.");
         }
         return metres >= FAR_METRES
                 ? Score.passed(

@@ -91,9 +91,9 @@ final class ObstacleCourseTask implements Task {
             return Score.failed(
                     2.0 * passed,
                     finding,
-                    "The first gate is between the wall and the post at x = -3.6 (y from -1.24 to -0.3), the second"
-                            + " at x = -2.2 (y from 0.3 to"
-                            + " 1.24). SelfLocalisation says where you are.");
+                    "The first gate is between the wall and the post at x = -3.6 (y from -1.24 to"
+                            + " -0.3), the second at x = -2.2 (y from 0.3 to 1.24). SelfLocalisation tells you"
+                            + " where you are.");
         }
         return nearest <= NEAR_METRES
                 ? Score.passed(finding)

@@ -84,7 +84,7 @@ final class PassingTask implements Task {
                 "the ball went %.2f m%s%s%s%s",
                 metres,
                 came(passed),
-                dribbled ? ", number 1 left its place" : "",
+                dribbled ? ", number 1 left its position" : "",
                 tooEarly ? ", number 2 walked before the ball rolled" : "",
                 fallen ? ", and a fall" : "");
         boolean fair = !dribbled && !tooEarly && !fallen;

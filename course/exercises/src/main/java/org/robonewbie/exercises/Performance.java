@@ -120,7 +120,7 @@ public final class Performance {
                         + place.filter(line -> !line.isEmpty())
                                 .map(line -> "; it is in " + line)
                                 .orElse("") + ".",
-                "think() is called 50 times per second and must return quickly. Is there an endless loop?");
+                "think() is called 50 times per second and must return quickly. Is there an" + " infinite loop?");
     }
 
     /**

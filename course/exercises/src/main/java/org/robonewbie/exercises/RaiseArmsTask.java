@@ -75,7 +75,7 @@ final class RaiseArmsTask implements Task {
                 : Score.failed(
                         left.isRight() || right.isRight() ? 5 : 0,
                         finding,
-                        "Give each shoulder its own speed, and 0 once it has reached its angle. A fast arm"
-                                + " overshoots, and at 10 °/s the arm does not get there within 4 s.");
+                        "Set a separate speed for each shoulder, and 0 once the shoulder has reached its"
+                                + " angle. A fast arm overshoots; at 10 °/s, the arm does not get there within 4 s.");
     }
 }

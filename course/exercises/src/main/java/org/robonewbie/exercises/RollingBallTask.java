@@ -115,6 +115,6 @@ final class RollingBallTask implements Task {
     }
 
     private String describe(int shot) {
-        return words[shot] < MIN_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
+        return words[shot] < MIN_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m off", error(shot));
     }
 }

@@ -87,7 +87,7 @@ final class ScoreAGoalTask implements Task {
         if (pushed) {
             return Score.failed(
                     2,
-                    String.format(Locale.ROOT, "a robot of the wall was pushed away after %.1f s", seconds),
+                    String.format(Locale.ROOT, "a robot in the wall was pushed away after %.1f s", seconds),
                     "Go around the wall with the ball: choose a point beside the outermost robot, then the goal once"
                             + " the ball has passed it.");
         }
@@ -96,11 +96,11 @@ final class ScoreAGoalTask implements Task {
                     3 - nearest,
                     String.format(
                             Locale.ROOT,
-                            "no goal%s; the ball came within %.2f m of it",
-                            isStuck() ? ", and for " + Math.round(SECONDS_OF_PATIENCE) + " s nothing moved" : "",
+                            "no goal%s; the ball came within %.2f m of the goal",
+                            isStuck() ? ", and nothing moved for " + Math.round(SECONDS_OF_PATIENCE) + " s" : "",
                             nearest),
-                    "Push the ball past the wall first: choose a point beside the outermost robot. When the ball has passed it,"
-                            + " choose the goal, whose middle is at (6, 0).");
+                    "Push the ball past the wall first: choose a point beside the outermost robot."
+                            + " When the ball has passed it, choose the middle of the goal: (6, 0).");
         }
         return Score.passed(
                 (int) Math.floor(10 - Math.max(0, Math.ceil((seconds - QUICK_SECONDS) / SECONDS_PER_POINT))),

@@ -46,7 +46,7 @@ final class SmoothMotionTask implements Task {
             jerk = Math.max(jerk, Math.abs(change) / Cycle.SECONDS);
         }
         String finding = String.format(
-                Locale.ROOT, "keyframes missed by %.1f°, largest change of speed %.0f °/s in a cycle", missed, jerk);
+                Locale.ROOT, "keyframes missed by %.1f°, largest speed change %.0f °/s per cycle", missed, jerk);
         boolean through = missed <= TOLERANCE_DEGREES;
         if (through && jerk <= SMOOTH) {
             return Score.passed(finding);
@@ -57,7 +57,8 @@ final class SmoothMotionTask implements Task {
                 through
                         ? "Write an Interpolation whose slope at each keyframe is the same on both sides; a"
                                 + " difference of up to 150 °/s is allowed."
-                        : "The curve must go through all keyframes: fraction 0 gives section.from(), fraction 1 section.to().");
+                        : "The curve must pass through all keyframes: fraction 0 gives section.from(),"
+                                + " fraction 1 section.to().");
     }
 
     /**

@@ -69,7 +69,9 @@ final class TwoBehavioursTask implements Task {
                 share,
                 lowest,
                 highest,
-                Double.isNaN(period) ? "fewer than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
+                Double.isNaN(period)
+                        ? "fewer than two swings"
+                        : String.format(Locale.ROOT, "once every %.2f s", period));
         return follows && swings
                 ? Score.passed(finding)
                 : Score.failed(

@@ -64,7 +64,7 @@ final class UnseenBallTask implements Task {
         double error = sumOfErrors / Math.max(1, words);
         String finding = String.format(
                 Locale.ROOT,
-                "turned by %.0f°, said %d times where the unseen ball is%s%s",
+                "turned by %.0f°, reported the unseen ball %d times%s%s",
                 turned,
                 words,
                 words == 0 ? "" : String.format(Locale.ROOT, ", mean error %.1f°", error),
@@ -92,7 +92,8 @@ final class UnseenBallTask implements Task {
                 : Score.failed(
                         error > WORST_DEGREES ? 2 : 4,
                         finding,
-                        "nao.getGyro().z() is your turning speed in degrees per second: what is on the left moves to"
-                                + " the right by that much. Start counting when the ball was last seen.");
+                        "nao.getGyro().z() is your turning speed in degrees per second: while you turn"
+                                + " left, the ball moves to the right at that rate. Add it up from the moment when"
+                                + " the ball was last seen.");
     }
 }

@@ -62,8 +62,8 @@ final class WhereAmITask implements Task {
         List<Double> all = new ArrayList<>(errors);
         all.add(said);
         double worst = all.stream().mapToDouble(Double::doubleValue).max().orElse(said);
-        String finding = "first place " + describe(all.get(0))
-                + (all.size() > 1 ? ", second place " + describe(all.get(1)) : "");
+        String finding = "first position " + describe(all.get(0))
+                + (all.size() > 1 ? ", second position " + describe(all.get(1)) : "");
         if (Double.isInfinite(worst)) {
             return Score.failed(
                     0,
@@ -77,12 +77,12 @@ final class WhereAmITask implements Task {
                         3 - worst,
                         finding,
                         "Two landmarks with distance and bearing give your position;"
-                                + " SoccerField.BEGINNER.position(landmark) returns where they are. Discard what was"
-                                + " seen before the robot was moved.");
+                                + " SoccerField.BEGINNER.position(landmark) returns the position of a landmark."
+                                + " Discard what was seen before the robot was moved.");
     }
 
     private static String describe(double error) {
-        return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error);
+        return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m off", error);
     }
 
     private Pose2d somewhere() {

@@ -107,11 +107,11 @@ class LanguageTest {
                         + "|lag auf dem Rücken und sagte nichts; stand nach 4.2 s, sagte aber nicht \"up\"",
                 "ball in front of the left foot: it went 0.12 m, the robot moved 0.40 m and fell to the right after 1.2 s"
                         + "|Ball vor dem linken Fuß: er rollte 0.12 m, der Roboter bewegte sich 0.40 m und fiel nach 1.2 s nach rechts",
-                "saved the first shot; a goal from the second, 0.55 m to the left"
+                "saved the first shot; conceded the second, 0.55 m to the left"
                         + "|hielt den ersten Schuss; ein Tor durch den zweiten, 0.55 m links",
                 "saved the shots 0.55 m to the left and 0.61 m to the right of the middle"
                         + "|hielt die Schüsse 0.55 m links und 0.61 m rechts der Mitte",
-                "head turned to the ball for 90 % of the time, arm from -31° to 32°, once in 2.00 s"
+                "head turned to the ball for 90 % of the time, arm from -31° to 32°, once every 2.00 s"
                         + "|Kopf in 90 % der Zeit beim Ball, Arm von -31° bis 32°, einmal in 2.00 s",
                 "The program ended with java.lang.ArithmeticException: / by zero in Kick.java:12."
                         + "|Das Programm endete mit java.lang.ArithmeticException: / by zero in Kick.java:12.",

@@ -52,8 +52,9 @@ final class ClassFileReader {
         input.readUnsignedShort();
         int version = input.readUnsignedShort();
         if (version > NEWEST_VERSION) {
-            throw new IllegalArgumentException("This class file has version " + version
-                    + ": it was compiled for a newer version of Java. Recompile the source with \"javac --release 17\".");
+            throw new IllegalArgumentException(
+                    "This class file has version " + version
+                            + ": it was compiled for a newer version of Java. Recompile the source with \"javac --release 17\".");
         }
         constants = ConstantReader.read(input);
         int access = input.readUnsignedShort();

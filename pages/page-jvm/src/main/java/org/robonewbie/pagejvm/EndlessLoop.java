@@ -9,7 +9,7 @@ public final class EndlessLoop extends Error {
 
     EndlessLoop(String place, long steps) {
         super("Stopped at " + place + ": the program has executed " + steps
-                + " instructions without a new message from the simulator. Is there an endless loop?");
+                + " instructions without a new message from the simulator. Is there an infinite loop?");
         this.place = place;
     }
 

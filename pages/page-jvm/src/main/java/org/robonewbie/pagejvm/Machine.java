@@ -216,7 +216,7 @@ public final class Machine {
     /** Pushes a stack frame. */
     void enter(StudentMethod method, @Nullable Object[] arguments) {
         if (frames.size() >= MAX_DEPTH) {
-            throw new StackOverflowError("Does " + method.code().name() + "() call itself endlessly?");
+            throw new StackOverflowError("Does " + method.code().name() + "() call itself without end?");
         }
         frames.add(new Frame(method, arguments));
     }

@@ -152,7 +152,7 @@ final class StudentObjects {
             return SpecialCalls.UNKNOWN;
         }
         StudentMethod values = type.own("values()[L" + type.file().name() + ";")
-                .orElseThrow(() -> new Missing(type + " is not an enumeration"));
+                .orElseThrow(() -> new Missing(type + " is not an enum"));
         for (Object one : (Object[]) Objects.requireNonNull(machine.call(values))) {
             if (((StudentInstance) one).name().equals(arguments[1])) {
                 return one;

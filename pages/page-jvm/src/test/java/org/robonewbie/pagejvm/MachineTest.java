@@ -81,14 +81,14 @@ class MachineTest {
         assertThatThrownBy(() -> said("int i = 0;\nwhile (true) { i++; }"))
                 .isInstanceOf(EndlessLoop.class)
                 .hasMessageContaining("Try.java:11")
-                .hasMessageContaining("Is there an endless loop?");
+                .hasMessageContaining("Is there an infinite loop?");
     }
 
     @Test
     void endlessRecursionIsReported() {
         assertThatThrownBy(() -> said("deeper(1);"))
                 .isInstanceOf(StackOverflowError.class)
-                .hasMessage("Does deeper() call itself endlessly?");
+                .hasMessage("Does deeper() call itself without end?");
     }
 
     @Test

@@ -115,7 +115,8 @@ public record AccessToken(String text) {
                     .digest((text + " studio " + port).getBytes(StandardCharsets.UTF_8));
             return HexFormat.of().formatHex(digest, 0, BYTES);
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
+            throw new IllegalStateException(
+                    "This Java runtime does not provide SHA-256, although the specification requires it.", e);
         }
     }
 }

@@ -19,7 +19,8 @@ record WebFile(byte[] content, String tag) {
             return Base64.getEncoder()
                     .encodeToString(MessageDigest.getInstance("SHA-256").digest(content));
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
+            throw new IllegalStateException(
+                    "This Java runtime does not provide SHA-256, although the specification requires it.", e);
         }
     }
 

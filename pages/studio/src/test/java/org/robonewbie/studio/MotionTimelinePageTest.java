@@ -94,7 +94,7 @@ class MotionTimelinePageTest {
     void keyframesInABoxAreMovedByKeysAndComeBackStepByStep() {
         drag(x(600), y(0), x(1400), y(1), 0);
         browser.await(STATE + ".chosen.join() === '1,2' && " + STATE + ".rows.join() === '0,1'");
-        browser.await("document.querySelector('.verdict').textContent.startsWith('2 joints of 2 keyframes selected')");
+        browser.await("document.querySelector('.verdict').textContent.startsWith('2 joints in 2 keyframes selected')");
         focusTimeline();
 
         browser.press("ArrowRight", CONTROL);

@@ -11,7 +11,7 @@ import org.teavm.jso.typedarrays.Int8Array;
 public final class FieldEdition {
 
     private static final PageCourse COURSE = new PageCourse((exercise, id, trials, judged) -> {
-        throw new IllegalArgumentException("The page starts attempts in the other program.");
+        throw new IllegalArgumentException("The page must start attempts in the other program.");
     });
 
     private FieldEdition() {}

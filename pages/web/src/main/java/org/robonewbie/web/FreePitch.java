@@ -66,7 +66,7 @@ final class FreePitch implements EditableWorld {
         try {
             driver.join(link, asNumber(players.size(), driver.defaultOptions()));
         } catch (IOException impossible) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", impossible);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", impossible);
         }
         link.stopWaiting();
         add(new Player(driver::resume));

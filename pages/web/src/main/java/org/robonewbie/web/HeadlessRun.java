@@ -65,7 +65,7 @@ final class HeadlessRun {
             driver.play(simulator.connect(), driver.defaultOptions());
             return simulator.report();
         } catch (IOException impossible) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", impossible);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", impossible);
         }
     }
 }

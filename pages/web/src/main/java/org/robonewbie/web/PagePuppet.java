@@ -30,7 +30,7 @@ final class PagePuppet extends SteeredRobot {
             link.close();
             throw new IllegalStateException(refused.getMessage(), refused);
         } catch (IOException impossible) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", impossible);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", impossible);
         }
         link.stopWaiting();
         begin(driver.nao());

@@ -31,7 +31,7 @@ final class PatientLink implements AgentLink {
         try {
             return link.isMessageWaiting();
         } catch (IOException lost) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", lost);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", lost);
         }
     }
 

@@ -113,7 +113,7 @@ final class StudentProgram {
         try {
             driver.join(own, driver.defaultOptions().overriddenBy(arguments).withSeconds(FOREVER_SECONDS));
         } catch (IOException impossible) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", impossible);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", impossible);
         }
         own.stopWaiting();
         drivers.add(driver);
@@ -162,7 +162,7 @@ final class StudentProgram {
             held = driver;
             return driver.nao();
         } catch (IOException impossible) {
-            throw new UncheckedIOException("The simulator of this page has closed the connection.", impossible);
+            throw new UncheckedIOException("The simulator on this page has closed the connection.", impossible);
         }
     }
 

@@ -326,8 +326,8 @@ public final class WebEdition {
         Program program = new Program(classes);
         List<String> missing = program.missing();
         if (!missing.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "The page does not have " + String.join(", ", missing) + ". RoboNewbie on your computer supports this.");
+            throw new IllegalArgumentException("The page does not provide " + String.join(", ", missing)
+                    + ". RoboNewbie on your computer supports this.");
         }
         return program;
     }

@@ -125,7 +125,8 @@ class FieldInThePageTest {
 
         browser.await("location.hash === '#field' && studio.state.frame.paused && Math.hypot(" + BALL + "[0], " + BALL
                 + "[1]) < 0.01");
-        browser.await("document.querySelector('#toast').textContent.includes('The world was restored only approximately')");
+        browser.await(
+                "document.querySelector('#toast').textContent.includes('The world was restored only approximately')");
         browser.click("#world-undo");
         browser.await("Math.abs(" + BALL + "[0] - 3) < 0.3");
         assertThat(browser.complaints()).isEmpty();

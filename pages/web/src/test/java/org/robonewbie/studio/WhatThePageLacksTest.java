@@ -60,9 +60,9 @@ class WhatThePageLacksTest {
                 "new java.awt.Color(1);                           | Programs on this page cannot open windows",
                 "try { Thread.sleep(5); } catch (Exception e) {}   | This page has no threads: let think() do a little",
                 "java.util.concurrent.TimeUnit.SECONDS.sleep(1);  | This page has no threads: let think() do a little",
-                "java.util.EnumMap<?, ?> map = null;              | does not have java.util.EnumMap: use HashMap or TreeMap instead",
-                "java.math.BigDecimal one = null;                 | does not have java.math.BigDecimal: use double instead",
-                "java.util.UUID.randomUUID();                     | This page does not have java.util.UUID"
+                "java.util.EnumMap<?, ?> map = null;              | does not provide java.util.EnumMap: use HashMap or TreeMap instead",
+                "java.math.BigDecimal one = null;                 | does not provide java.math.BigDecimal: use double instead",
+                "java.util.UUID.randomUUID();                     | This page does not provide java.util.UUID"
             })
     void compilerNamesTheMissingClassAndAnAlternative(String statement, String said) {
         think(statement);
@@ -75,7 +75,7 @@ class WhatThePageLacksTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "\"a\".describeConstable();                     | The page does not have java.lang.String.describeConstable. RoboNewbie on your computer supports this.",
+                "\"a\".describeConstable();                     | The page does not provide java.lang.String.describeConstable. RoboNewbie on your computer supports this.",
                 "log.info(String.class.getPackageName());       | java.lang.Class.getPackageName is not available. The page cannot do this; RoboNewbie on your computer can.",
                 "log.info(getClass().getPackageName());         | Class.getPackageName() is not available for a class of the program. The page cannot do this",
                 "java.util.Arrays.hashCode(new int[] {1});      | hashCode with an array of numbers or characters is not available",

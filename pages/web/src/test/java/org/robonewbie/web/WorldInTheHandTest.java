@@ -81,7 +81,8 @@ class WorldInTheHandTest {
         assertThat(world.now().ballPosition().x()).isBetween(-0.1, 0.1);
         assertThat(world.now().robots()).hasSize(2);
         assertThat(sentences())
-                .containsExactly("Undone: ball moved. The world was restored only approximately: speeds are estimated.");
+                .containsExactly(
+                        "Undone: ball moved. The world was restored only approximately: speeds are estimated.");
     }
 
     @ParameterizedTest

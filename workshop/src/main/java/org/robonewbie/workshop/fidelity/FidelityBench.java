@@ -105,7 +105,7 @@ public final class FidelityBench {
     private static InputStream open(String resource) throws IOException {
         InputStream stream = FidelityBench.class.getResourceAsStream(resource);
         if (stream == null) {
-            throw new FileNotFoundException("The recording " + resource + " is missing from the program file.");
+            throw new FileNotFoundException("The recording " + resource + " is missing from the JAR file.");
         }
         return stream;
     }

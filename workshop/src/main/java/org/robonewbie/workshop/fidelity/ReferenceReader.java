@@ -122,7 +122,7 @@ final class ReferenceReader {
                 | NumberFormatException e) {
             throw new IOException(
                     fileName + ", line " + lineNumber
-                            + " is not a row of a recording: expected a JSON object with t and hj, torso or ball.",
+                            + " is not a recording row: expected a JSON object with t and hj, torso or ball.",
                     e);
         }
     }

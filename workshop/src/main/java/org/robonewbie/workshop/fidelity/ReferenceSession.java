@@ -193,7 +193,7 @@ final class ReferenceSession implements AutoCloseable {
             answer = exchange("");
         }
         throw new IOException(
-                "The robot could not join a team. Check that the server does not have two teams already.");
+                "The robot could not join a team. Check that the server does not already have" + " two teams.");
     }
 
     private static Optional<PlayerNumber> player(GameState state) {

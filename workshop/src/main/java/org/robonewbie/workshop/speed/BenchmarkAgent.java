@@ -91,7 +91,7 @@ final class BenchmarkAgent {
 
     private PerceptorMessage receive() throws IOException {
         if (!link.receive(message)) {
-            throw new EOFException("The server closed the connection of robot " + (robot + 1) + ". Check that team "
+            throw new EOFException("The server closed the connection to robot " + (robot + 1) + ". Check that team "
                     + team(robot) + " has a free place.");
         }
         return reader.read(message);

@@ -77,7 +77,7 @@ public final class PlayerChecks {
                         DribbleTrial::isInTime),
                 dribble(
                         "dribble 5 m, close",
-                        "it does, and the ball is never more than 0.5 m away",
+                        "the ball advances 5 m within 10 s and is never more than 0.5 m away",
                         "m, the farthest",
                         DribbleTrial::farthest,
                         DribbleTrial::isClose));
@@ -95,14 +95,20 @@ public final class PlayerChecks {
                 kick(
                         name + " out of the walk, soon",
                         kind,
-                        "it does, and 2 s after coming within 0.3 m, the ball is faster than 1 m/s",
+                        String.format(
+                                Locale.ROOT,
+                                "the ball rolls at least %.0f m and is faster than 1 m/s within 2 s after the robot came within 0.3 m",
+                                metres),
                         "s",
                         Kicked::seconds,
                         kicked -> kicked.metres >= metres && kicked.seconds <= KICK_SECONDS),
                 kick(
                         name + " out of the walk, straight",
                         kind,
-                        "it does, within 5° of the intended direction",
+                        String.format(
+                                Locale.ROOT,
+                                "the ball rolls at least %.0f m, within 5° of the intended direction",
+                                metres),
                         "degrees to either side",
                         Kicked::degrees,
                         kicked -> kicked.metres >= metres && kicked.degrees <= KICK_DEGREES));

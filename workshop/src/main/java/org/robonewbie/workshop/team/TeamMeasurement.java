@@ -84,8 +84,8 @@ public final class TeamMeasurement {
                 results.stream().filter(each -> each.goals() == each.against()).count();
         return String.format(
                 Locale.ROOT,
-                "total: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls of each player %.1f, of the others"
-                        + " %.1f; kicks %.1f; passes %.1f, reached %.1f",
+                "total: %d won, %d drawn, %d lost; goals %.1f : %.1f; falls per player %.1f, per"
+                        + " opponent %.1f; kicks %.1f; passes %.1f, reached %.1f",
                 wins,
                 draws,
                 results.size() - wins - draws,

@@ -102,7 +102,7 @@ class FidelityBenchTest {
         Files.writeString(directory.resolve("broken.jsonl"), BALL + "{\"t\": \"soon\"}\n");
 
         assertThat(problem())
-                .isEqualTo("broken.jsonl, line 4 is not a row of a recording:"
+                .isEqualTo("broken.jsonl, line 4 is not a recording row:"
                         + " expected a JSON object with t and hj, torso or ball.");
     }
 
@@ -110,7 +110,7 @@ class FidelityBenchTest {
     void namesARowWithSomethingElseThanExpected() throws IOException {
         Files.writeString(directory.resolve("broken.jsonl"), "{\"t\": 1, \"torso\": 3}\n");
 
-        assertThat(problem()).startsWith("broken.jsonl, line 1 is not a row of a recording");
+        assertThat(problem()).startsWith("broken.jsonl, line 1 is not a recording row");
     }
 
     @Test

@@ -61,7 +61,7 @@ final class ClassFolder {
         }
         if (all.submissions.isEmpty()) {
             throw new CalledWronglyException(
-                    "The folder " + folder + " has no programs. It must contain a folder for each"
+                    "The folder " + folder + " contains no programs. It must contain a folder for each"
                             + " student, such as " + folder.resolve("anna") + ", with files such as "
                             + exercises.get(0).className() + JAVA + ".");
         }
@@ -139,7 +139,9 @@ final class ClassFolder {
         if (exercise.isEmpty()) {
             trouble(
                     type,
-                    "The file " + name + " does not name student and exercise. Rename it, for example to anna_"
+                    "The file name " + name
+                            + " must contain the student's name and the exercise. Rename the file, for example"
+                            + " to anna_"
                             + exercises.get(0).className() + JAVA + ".");
             return;
         }
@@ -164,7 +166,7 @@ final class ClassFolder {
         if (before.isPresent()) {
             trouble(
                     submission.student(),
-                    "There are several files " + submission.exercise().className() + JAVA + "; "
+                    "There are several files named " + submission.exercise().className() + JAVA + "; "
                             + before.get().folder().relativize(before.get().file()) + " was graded.");
         } else {
             own.add(submission);

@@ -103,12 +103,12 @@ public record ClassMarking(
                 seeds);
         Path page = table.write(results);
         if (changed > 0) {
-            progress.accept(
-                    "Stored grades that were changed while programs ran, and have been restored: " + changed + ".");
+            progress.accept("These stored grades were changed while programs were running and have been restored: "
+                    + changed + ".");
         }
         progress.accept(String.format(
                 Locale.ROOT,
-                "%d students, %d programs, %d of them graded before. %s",
+                "%d students, %d programs (%d already graded). %s",
                 all.submissions().size(),
                 submissions.size(),
                 reused,
@@ -148,7 +148,7 @@ public record ClassMarking(
                 kept.keep(submission, fingerprint, mark);
                 return mark;
             }
-            return broken(submission, "Its files were changed while the class was graded. Grade it again.");
+            return broken(submission, "Its files were changed during grading. Grade it again.");
         } catch (UnreadableFileException | RuntimeException | StackOverflowError | OutOfMemoryError failed) {
             return broken(submission, "It could not be graded: " + failed + ".");
         }
@@ -172,7 +172,7 @@ public record ClassMarking(
      */
     private static String reason(List<String> output, String fileName) {
         if (output.stream().anyMatch(line -> NESTED_TOO_DEEPLY.stream().anyMatch(line::startsWith))) {
-            return "It does not compile: its author nested expressions or blocks too deeply for the compiler.";
+            return "It does not compile: expressions or blocks are nested too deeply for the compiler.";
         }
         return output.stream()
                 .filter(line -> line.contains(ERROR))

@@ -171,7 +171,7 @@ record ClassTable(
         String rows = students.stream().map(this::row).collect(Collectors.joining());
         return Html.page("Grades", STYLE, """
             <h1>Grades</h1>
-            <p class="note">Mean points of %d trials each. Green: all trials passed; yellow: some failed; red: the program could not be
+            <p class="note">Points are means over %d trials. Green: all trials passed; yellow: some failed; red: the program could not be
             started. Hover over a cell to see what was measured.</p>
             <div class="wide"><table>
             <thead><tr><th>Student</th><th>Points</th><th>Passed</th>%s</tr></thead>
@@ -217,7 +217,7 @@ record ClassTable(
         return """
                 <h2>Programs that are alike</h2>
                 <p>%s</p>
-                <p class="note">Comments, layout, the authors' names and numbers are ignored, and so is the starter code. Ask both authors to explain
+                <p class="note">Comments, layout, identifiers, numbers and the starter code are ignored. Ask both authors to explain
                 their program before you judge.</p>
                 %s""".formatted(Html.text(sentence()), table);
     }

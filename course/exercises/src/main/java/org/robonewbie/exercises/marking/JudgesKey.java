@@ -72,7 +72,8 @@ final class JudgesKey {
             return HexFormat.of().formatHex(mac.doFinal(text.getBytes(StandardCharsets.UTF_8)));
         } catch (GeneralSecurityException impossible) {
             throw new IllegalStateException(
-                    "This Java has no " + ALGORITHM + ", although the specification requires it", impossible);
+                    "This Java runtime does not provide " + ALGORITHM + ", although the specification requires it",
+                    impossible);
         }
     }
 

@@ -9,19 +9,19 @@ public enum Badge {
     /** One exercise passed. */
     FIRST_SUCCESS("First success", "one exercise passed", Rule.passed("", 1)),
     /** All exercises of the first level passed. */
-    FIRST_STEPS("First steps", "all exercises of the level first steps passed", Rule.all("first steps")),
+    FIRST_STEPS("First steps", "all first-steps exercises passed", Rule.all("first steps")),
     /** All exercises of the second level passed. */
-    BASICS("Basics", "all exercises of the level basics passed", Rule.all("basics")),
+    BASICS("Basics", "all basics exercises passed", Rule.all("basics")),
     /** All exercises of the third level passed. */
-    ADVANCED("Advanced", "all exercises of the level advanced passed", Rule.all("advanced")),
+    ADVANCED("Advanced", "all advanced exercises passed", Rule.all("advanced")),
     /** All exercises of the highest level passed. */
-    CHALLENGER("Challenger", "all exercises of the level challenge passed", Rule.all("challenge")),
+    CHALLENGER("Challenger", "all challenge exercises passed", Rule.all("challenge")),
     /** Full points in five exercises. */
     PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MAX_POINTS, 0, false)),
     /** Five exercises passed without help. */
     OWN_WAY("Own way", "five exercises passed without a hint or a solution", new Rule("", 5, 0, 0, true)),
     /** One exercise passed after ten tries or more. */
-    PERSISTENT("Persistent", "an exercise passed after ten tries or more", new Rule("", 1, 0, 10, false)),
+    PERSISTENT("Persistent", "an exercise passed after ten or more tries", new Rule("", 1, 0, 10, false)),
     /** All exercises passed. */
     WHOLE_COURSE("The whole course", "all exercises passed", Rule.all(""));
 

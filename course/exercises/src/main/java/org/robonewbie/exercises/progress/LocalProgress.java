@@ -53,7 +53,7 @@ public final class LocalProgress implements ProgressStore {
             return Optional.of(access.to(file.get()));
         } catch (IOException problem) {
             unusable = true;
-            System.err.println("Your progress cannot be saved in " + file.get().file() + " (" + problem.getMessage()
+            System.err.println("Your progress cannot be saved to " + file.get().file() + " (" + problem.getMessage()
                     + "). To use another file, set the environment variable " + ProgressFile.SWITCH + ".");
             return Optional.empty();
         }

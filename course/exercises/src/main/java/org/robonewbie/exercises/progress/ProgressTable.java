@@ -30,7 +30,7 @@ public record ProgressTable(Progress progress) {
         lines.add(sum());
         lines.add(
                 progress.badges().isEmpty()
-                        ? "No badges yet: you earn the first one with the first exercise that you pass."
+                        ? "No badges yet: pass an exercise to earn the first one."
                         : "Badges: "
                                 + progress.badges().stream()
                                         .map(badge -> badge.title() + " (" + badge.reason() + ")")

@@ -98,7 +98,8 @@ public record SolutionRepository(Source source) {
             Optional<String> text = program(exercise);
             if (text.isEmpty()) {
                 return new Answer(
-                        false, "This computer has no solution for " + exercise.name() + ". Ask your teacher for it.");
+                        false,
+                        "There is no solution for " + exercise.name() + " on this computer. Ask your teacher for one.");
             }
             if (isLocked(exercise)) {
                 return new Answer(false, "Your teacher has locked the solution for " + exercise.name() + " for now.");

@@ -48,8 +48,8 @@ public abstract class ApiHandler extends Handler.Abstract {
      * @return what failed and what to check
      */
     protected static String explain(String what, Path folder, IOException problem) {
-        return what + " cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder
-                + " writable, and is there room on the disk?";
+        return what + " cannot be read or written: " + problem.getMessage() + ". Check that the folder " + folder
+                + " is writable and that there is free disk space.";
     }
 
     @Override

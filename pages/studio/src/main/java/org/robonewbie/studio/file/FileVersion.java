@@ -21,7 +21,8 @@ public final class FileVersion {
         try {
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content), 0, BYTES);
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
+            throw new IllegalStateException(
+                    "This Java runtime does not provide SHA-256, although the specification requires it.", e);
         }
     }
 }

@@ -62,7 +62,7 @@ public final class MonitorLogReader {
             reader.recording.ifPresent(RecordingWriter::close);
         }
         if (reader.recording.isEmpty()) {
-            throw new IOException("\"" + log + "\" is not a log of a SimSpark server: it contains no complete scene.");
+            throw new IOException("\"" + log + "\" is not a SimSpark server log: it contains no complete scene.");
         }
     }
 

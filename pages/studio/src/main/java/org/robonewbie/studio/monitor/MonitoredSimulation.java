@@ -30,7 +30,7 @@ import org.robonewbie.simulator.soccer.MatchEvent;
  */
 public final class MonitoredSimulation implements SimulationControl, AutoCloseable {
 
-    private static final String NO_CLOCK = "The clock of a simulation in another process cannot be paused or sped up.";
+    private static final String NO_CLOCK = "A simulation in another process cannot be paused or sped up.";
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final String host;

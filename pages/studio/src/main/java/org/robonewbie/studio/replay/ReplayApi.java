@@ -96,7 +96,7 @@ public final class ReplayApi extends ApiHandler {
     @Override
     protected String explain(IOException problem) {
         return "The recording cannot be read or written: " + problem.getMessage()
-                + ". Is its folder writable, and is there room on the disk?";
+                + ". Check that its folder is writable and that there is free disk space.";
     }
 
     private Answer read(String kind, String name, Fields parameters) throws IOException {

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 public final class SceneService {
 
     /** End of the error message for a finished recording that does not contain the requested cycle. */
-    public static final String ENDS_BEFORE = ": it ends before, or is damaged there. Choose an earlier one.";
+    public static final String ENDS_BEFORE = ": it ends earlier, or is damaged at that point. Choose an earlier cycle.";
 
     private static final String DONE = "{}";
 

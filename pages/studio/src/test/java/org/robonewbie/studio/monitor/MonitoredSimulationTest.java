@@ -186,7 +186,7 @@ class MonitoredSimulationTest implements SimulationObserver {
     void clockOfAnotherProcessCannotBeStopped() {
         assertThat(watched.hasClock()).isFalse();
         assertThatThrownBy(() -> watched.order(new Order.Pause()))
-                .hasMessage("The clock of a simulation in another process cannot be paused or sped up.");
+                .hasMessage("A simulation in another process cannot be paused or sped up.");
     }
 
     @Test

@@ -141,7 +141,7 @@ class SceneRepositoryTest {
                 .isEqualTo("{\"exact\":false,\"agents\":0}");
         assertThatThrownBy(() -> service.start(recording(bytes), 1, SceneService.ENDS_BEFORE))
                 .hasMessage(
-                        "The recording has no cycle 1: it ends before, or is damaged there. Choose an earlier one.");
+                        "The recording has no cycle 1: it ends earlier, or is damaged at that point. Choose an earlier cycle.");
         assertThatThrownBy(() -> recording(new byte[9]))
                 .hasMessageStartingWith("This is not a recording of RoboNewbie");
     }

@@ -16,5 +16,5 @@ export function makeBalanced(editor) {
     text: `Keyframe ${index + 1}: ${reason}`,
     go: () => editor.apply((each) => selected(each, index)),
   }));
-  showFindings('Balance', `${text} These were not changed:`, places);
+  showFindings('Balance', `${text} These keyframes were not changed:`, places);
 }

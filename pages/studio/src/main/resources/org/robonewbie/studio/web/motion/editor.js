@@ -294,7 +294,7 @@ export class Editor {
     }
     await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
-    const hides = this.list.library.includes(name) ? '; it replaces the library motion of that name' : '';
+    const hides = this.list.library.includes(name) ? '; it replaces the library motion with that name' : '';
     this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
   }
 

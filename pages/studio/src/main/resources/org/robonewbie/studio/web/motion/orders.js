@@ -33,7 +33,7 @@ import { ask, askName } from './questions.js';
  */
 
 const BALANCE_HINT =
-  'Shifts the torso until the centre of mass is above the feet, in all keyframes, or in the selected ones if there are several';
+  'Shifts the torso until the centre of mass is above the feet, in all keyframes, or in the selected ones if more than one is selected';
 
 /**
  * @param {Editor} editor

@@ -14,7 +14,7 @@ export function takePosture(take, robotOfRun) {
       made.disabled = robot === '';
       made.title =
         robot === ''
-          ? 'Start an agent to use the posture of its robot as a keyframe'
+          ? 'Start an agent to use its robot’s posture as a keyframe'
           : `Uses the posture of ${robot} as a keyframe`;
     },
   };

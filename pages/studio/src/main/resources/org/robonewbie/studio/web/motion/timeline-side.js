@@ -18,7 +18,7 @@ import { MARK_KINDS } from './timeline-head.js';
 const CLOSER = 0.6;
 const SCROLL = 0.5;
 const ALONE_HINT =
-  'Moving a keyframe also moves those after it. With this option, or with Alt, all others stay in place.';
+  'Moving a keyframe also moves all later ones. With this option, or while Alt is pressed, the others stay in place.';
 
 /** @param {number} factor @returns {(state: EditorState) => EditorState} zooms around the playhead */
 export function zooming(factor) {

@@ -66,7 +66,7 @@ function partsOf(editor, orders, actions) {
     insert: orderButton(byId('insert')),
     loop: check('loop', 'Loop', '', (looping) => editor.apply((state) => ({ ...state, looping }))),
     speed: choice(
-      { id: 'animation-speed', 'aria-label': 'Speed of the animation' },
+      { id: 'animation-speed', 'aria-label': 'Animation speed' },
       SPEEDS.map((each) => [String(each), `${each}×`]),
       (speed) => editor.apply((state) => ({ ...state, speed: Number(speed) })),
     ),
@@ -147,9 +147,9 @@ function chosenText(state) {
   const { chosen, rows, body } = state;
   const frames = chosen.length === 1 ? `keyframe ${chosen[0] + 1}` : `${chosen.length} keyframes`;
   if (rows.length === 1) {
-    return `${jointName(body.joints[rows[0]].name)} of ${frames} selected`;
+    return `${jointName(body.joints[rows[0]].name)} in ${frames} selected`;
   }
-  const joints = rows.length === 0 ? '' : `${rows.length} joints of `;
+  const joints = rows.length === 0 ? '' : `${rows.length} joints in `;
   return rows.length === 0 && chosen.length === 1 ? '' : `${joints}${frames} selected`;
 }
 

@@ -56,6 +56,6 @@ export class BoardController {
       keep(KEY, [...this.#off]);
       this.#show();
     });
-    return element('label', { class: 'check', title: 'Drawings that teams send in RoboViz’s protocol' }, box, text);
+    return element('label', { class: 'check', title: 'Drawings that teams send in the RoboViz protocol' }, box, text);
   }
 }

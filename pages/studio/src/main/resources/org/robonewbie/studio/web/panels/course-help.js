@@ -9,7 +9,7 @@ export class CourseHelp {
   #exercise = '';
   #hints = element('ol', { id: 'course-open-hints' });
   #next = button('', 'Opens the next hint of the worksheet', () => this.#open('hint'));
-  #solve = button('', 'Shows one way to solve it', () => this.#open('solution'));
+  #solve = button('', 'Shows one way to solve the exercise', () => this.#open('solution'));
   #program = element('pre', { id: 'course-solution', hidden: '' });
   element = element(
     'div',

@@ -147,7 +147,7 @@ export class CoursePanel {
         ['', 'An agent that I start myself'],
       ]);
       program.value = likelyProgram(lesson, programs) || (programs.includes(before) ? before : '');
-      setText(write, `Write ${lesson.file}`);
+      setText(write, `Create ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
     }
   }
@@ -263,7 +263,7 @@ function controls() {
     here: control(
       'course-here',
       'Opens your program, or the starter code, in the Program room',
-      'Edit it beside the robot',
+      'Edit beside the robot',
     ),
     write: control('course-write', 'Creates the starter code in the working folder'),
     start: control('course-start', 'Runs the program on this pitch and grades it', 'Start'),
@@ -278,6 +278,6 @@ function verdicts() {
     judged: element('ul', { id: 'course-judged' }),
     advice: element('div', { id: 'course-hints' }),
     printed: element('pre', {}),
-    output: element('details', { id: 'course-output' }, element('summary', {}, 'Output of the program')),
+    output: element('details', { id: 'course-output' }, element('summary', {}, 'Program output')),
   };
 }

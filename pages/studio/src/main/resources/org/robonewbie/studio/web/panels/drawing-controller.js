@@ -35,7 +35,7 @@ export class DrawingController {
   /** The key action. @returns {import('./keys.js').Action} */
   get action() {
     const act = () => this.#set(ALL_DRAWINGS, !this.layers.isOn(ALL_DRAWINGS));
-    return { keys: ['d', 'D'], shown: 'D', text: 'drawings of robots on or off', act };
+    return { keys: ['d', 'D'], shown: 'D', text: 'show or hide the robots’ drawings', act };
   }
 
   /** @param {Moment} moment shown moment @param {DrawingMemory} memory */

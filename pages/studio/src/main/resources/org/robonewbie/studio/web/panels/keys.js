@@ -31,8 +31,8 @@ export function fieldActions(camera, time, send) {
     { keys: ['r', 'R'], shown: 'R', text: 'reset', act: time.reset },
     { keys: ['z'], ctrl: true, shown: 'Ctrl+Z', text: 'undo the last change to the world', act: time.undo },
     { keys: ['Z', 'y'], ctrl: true, shown: 'Ctrl+Shift+Z', text: 'redo', act: time.redo },
-    { keys: ['k'], shown: 'K', text: 'kick-off of the left team', act: () => send({ do: 'kickOff', side: 'left' }) },
-    { keys: ['l'], shown: 'L', text: 'kick-off of the right team', act: () => send({ do: 'kickOff', side: 'right' }) },
+    { keys: ['k'], shown: 'K', text: 'kick-off for the left team', act: () => send({ do: 'kickOff', side: 'left' }) },
+    { keys: ['l'], shown: 'L', text: 'kick-off for the right team', act: () => send({ do: 'kickOff', side: 'right' }) },
     { keys: ['b'], shown: 'B', text: 'drop ball', act: () => send({ do: 'dropBall' }) },
     ...CAMERAS.map(({ name }, i) => ({
       keys: [String(i + 1)],

@@ -12,11 +12,11 @@ const MOTION_MOUSE = [
   ['Shift, drag', 'the whole arm or leg follows'],
   ['Drag the torso', 'the feet stay where they are'],
   ['Drag the ground', 'turn the view'],
-  ['Drag a keyframe', 'change its time and shift those after it; with Alt they stay in place'],
+  ['Drag a keyframe', 'change its time and shift all later ones; with Alt, they stay in place'],
   ['Shift, Ctrl, click', 'select several keyframes'],
   ['Drag over joints', 'select what is in the box'],
   ['Drag a point of a curve', 'change the angle'],
-  ['Wheel', 'on the timeline: zoom, with Shift scroll'],
+  ['Wheel', 'zoom the timeline; with Shift, scroll it'],
 ];
 
 const ROBOT_MOUSE = [

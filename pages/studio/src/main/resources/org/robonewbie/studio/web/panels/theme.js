@@ -19,7 +19,7 @@ export function themeSwitch(forced, changed) {
     const theme = choice === 'light' || choice === 'dark' ? choice : system.matches ? 'dark' : 'light';
     document.documentElement.dataset.theme = theme;
     button.textContent = theme === 'dark' ? 'Light' : 'Dark';
-    button.title = `Change to ${theme === 'dark' ? 'light' : 'dark'} colours`;
+    button.title = `Switch to ${theme === 'dark' ? 'light' : 'dark'} colours`;
     changed(theme);
   };
   button.addEventListener('click', () => {

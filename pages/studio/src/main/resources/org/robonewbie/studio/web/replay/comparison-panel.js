@@ -28,7 +28,10 @@ export class ComparisonPanel {
     this.reading = element('span', { class: 'faint', id: 'compare-reading' });
     this.polyline = shape('polyline');
     const box = { class: 'compare-curve', viewBox: `0 0 ${POINTS} ${HEIGHT}`, preserveAspectRatio: 'none' };
-    this.scale = element('span', { class: 'faint', title: 'Distance of ball and robots over time' });
+    this.scale = element('span', {
+      class: 'faint',
+      title: 'Distance between the two balls over time, or between the first robots if the balls agree',
+    });
     const curve = shape('svg', box, this.polyline);
     this.line = element('div', { class: 'compare-line', hidden: '' }, this.scale, curve, this.reading);
     this.listed = '';

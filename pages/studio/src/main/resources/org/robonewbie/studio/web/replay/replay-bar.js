@@ -111,12 +111,12 @@ export class ReplayBar {
 /** @param {Actions['save']} save */
 function saveButtons(save) {
   return [
-    button('CSV', 'Save all cycles, or those of the loop, as a table', save.csv, { id: 'export-csv' }),
+    button('CSV', 'Save all cycles, or only the loop, as a table', save.csv, { id: 'export-csv' }),
     button('Log', 'Save the run as a SimSpark server log, for RoboViz', save.log, { id: 'export-log' }),
-    button('HTML', 'Save one file that plays this run, or the loop, in any browser, even offline', save.html, {
+    button('HTML', 'Save a file that plays this run, or only the loop, in any browser, even offline', save.html, {
       id: 'export-html',
     }),
-    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, from this camera', save.video, {
+    button('Video', 'Save a video (WebM, 720p) of this run, or only of the loop, as this camera shows it', save.video, {
       id: 'export-video',
     }),
   ];

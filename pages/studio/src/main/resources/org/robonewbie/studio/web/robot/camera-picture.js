@@ -24,7 +24,7 @@ export function cameraPicture(place) {
     role: 'img',
     class: 'camera',
   });
-  svg.setAttribute('aria-label', 'What the camera of the robot sees, 120 by 120 degrees');
+  svg.setAttribute('aria-label', 'What the robot’s camera sees, 120 by 120 degrees');
   const grid = [-30, 0, 30].flatMap((degrees) => [
     shape('line', { class: 'grid-line', x1: degrees, x2: degrees, y1: -HALF_DEGREES, y2: HALF_DEGREES }),
     shape('line', { class: 'grid-line', y1: degrees, y2: degrees, x1: -HALF_DEGREES, x2: HALF_DEGREES }),

@@ -101,7 +101,7 @@ export function facts({ task, rounds, before, after, phase }) {
 export function sentence(search) {
   return phaseSentence(search, {
     waiting: 'Waiting for the optimisation …',
-    running: search.rounds.length === 0 ? 'The first candidates are being tried …' : '',
+    running: search.rounds.length === 0 ? 'The first candidates are being evaluated …' : '',
     lost: 'To continue an interrupted run, repeat the command with --resume.',
     ended: search.outcome,
   });

@@ -138,7 +138,7 @@ function lastGoal(state, frame, now) {
  */
 export function message(state, now) {
   if (state.refusal) {
-    return trouble('The simulator refused this page', state.refusal);
+    return trouble('The simulator rejected this page', state.refusal);
   }
   if (state.connection === 'lost') {
     return trouble('The simulator has ended', 'Restart it; this page reconnects automatically.');

@@ -39,7 +39,7 @@ export function runText(run) {
 function endText(name, { output, exitCode }) {
   const endless = ENDLESS.exec(output);
   if (endless && exitCode !== 0) {
-    return `${name} was stopped: think() did not return (${endless[1]}). Is there an endless loop?`;
+    return `${name} was stopped: think() did not return (${endless[1]}). Is there an infinite loop?`;
   }
   return exitCode === 0 ? `${name} has ended.` : `${name} has failed; see the error below.`;
 }
