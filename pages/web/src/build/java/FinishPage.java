@@ -22,7 +22,7 @@ final class FinishPage {
 
     private static final String LIST = "files.json";
     private static final String SERVICE_WORKER = "service-worker.js";
-    /** Not cached, because a teacher may change the solutions at any time. */
+    /** Folder that is not cached, because a teacher may change the solutions at any time. */
     private static final String SOLUTIONS = "solutions/";
 
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
@@ -51,7 +51,7 @@ final class FinishPage {
                 "{\n  \"version\": \"" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
     }
 
-    /** Adds a link to the front page to each page of the documentation. */
+    /** Adds a link to the web edition's front page to each page of the documentation. */
     private static void offerToTry(Path folder) throws IOException {
         Path documentation = folder.resolve("docs");
         try (Stream<Path> pages = Files.walk(documentation)) {

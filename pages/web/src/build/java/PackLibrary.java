@@ -22,8 +22,8 @@ import java.util.stream.Stream;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their
- * dependencies, and RoboNewbie's classes. Format: number of classes, then the path, size in bytes, and content of each.
+ * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their dependencies,
+ * and RoboNewbie's classes. Format: number of classes, then the path, size in bytes, and contents of each.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file receives the names of Java
  * classes that are not available in the page: one line per package, with the package name followed by the class names.

@@ -15,7 +15,7 @@ public final class Main {
     /**
      * Runs one command and exits.
      *
-     * @param arguments the command and its options; the demo if empty
+     * @param arguments the command and its options; runs the demo if empty
      * @throws IOException if the attributes of the program's file cannot be read
      */
     public static void main(String[] arguments) throws IOException {

@@ -50,7 +50,7 @@ final class StartArchive {
                 && Files.readString(note).equals(program.toString());
     }
 
-    /** Returns the file beside the archive that contains the path of the jar that it was created from. */
+    /** Returns the file, next to the archive, that contains the path of the jar from which the archive was created. */
     static Path noteOf(Path archive) {
         return archive.resolveSibling(archive.getFileName() + ".txt");
     }

@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
 
-/** {@code robonewbie demo}: runs simulator, studio and the example {@code Agent_SimpleSoccer} in one process. */
+/** {@code robonewbie demo}: runs the simulator, the studio and the example {@code Agent_SimpleSoccer} in one process. */
 @Command(
         name = DemoCommand.NAME,
         description = "Watch a robot walk to the ball and kick it, in the browser. This is the default command.",

@@ -21,7 +21,7 @@ final class ExerciseContests {
      * Creates a contest. Programs receive a start position, as in a match, but the exercise ignores it.
      *
      * @param exercise the exercise
-     * @param rounds the number of trials of each team, with consecutive seeds
+     * @param rounds the number of trials for each team, with consecutive seeds
      * @param conditions the seed of the first trial
      * @return the contest
      */

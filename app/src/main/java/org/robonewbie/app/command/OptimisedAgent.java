@@ -56,7 +56,7 @@ public final class OptimisedAgent {
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
-    /** {@return whether an agent was named} */
+    /** {@return whether an agent was specified} */
     public boolean isGiven() {
         return program.isPresent();
     }
@@ -66,7 +66,7 @@ public final class OptimisedAgent {
         return program.filter(name -> name.endsWith(".java")).isPresent();
     }
 
-    /** {@return the simple name of the class} */
+    /** {@return the simple name of the agent's class} */
     public String simpleName() {
         String name = String.valueOf(Path.of(program.orElse("")).getFileName()).replaceFirst("\\.java$", "");
         return name.substring(name.lastIndexOf('.') + 1);

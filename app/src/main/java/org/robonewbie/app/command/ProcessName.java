@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Name of this process in the system's process list. League tools find and stop the server by it, for example with {@code killall
- * rcssserver3d}, and would not find a process named java.
+ * Name of this process in the system's process list. League tools find and stop the server by this name, for example with
+ * {@code killall rcssserver3d}, and would not find a process named java.
  */
 final class ProcessName {
 

@@ -122,7 +122,7 @@ final class RecordCommand implements Callable<Integer> {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shutdown) {
-            // The hook is running.
+            // The JVM is already shutting down and runs the hook.
         }
     }
 

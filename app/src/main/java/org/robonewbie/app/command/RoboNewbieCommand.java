@@ -73,7 +73,7 @@ public final class RoboNewbieCommand {
     /**
      * Runs one command.
      *
-     * @param arguments the command and its options; none runs the demo
+     * @param arguments the command and its options; runs the demo if empty
      * @return the exit code: 0 on success, 1 if the command ran and failed, 2 if it was called incorrectly
      */
     public static int run(String... arguments) {

@@ -16,7 +16,7 @@ final class SilentPrograms {
         T run() throws IOException;
     }
 
-    /** Discards the standard output, but not the error output. */
+    /** Runs the work, discarding standard output but not error output. */
     static <T> T complaining(Work<T> work) throws IOException {
         PrintStream out = System.out;
         System.setOut(nowhere());
@@ -27,7 +27,7 @@ final class SilentPrograms {
         }
     }
 
-    /** Discards standard output and error output. */
+    /** Runs the work, discarding standard output and error output. */
     static <T> T entirely(Work<T> work) throws IOException {
         PrintStream err = System.err;
         System.setErr(nowhere());

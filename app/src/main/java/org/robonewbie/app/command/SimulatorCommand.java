@@ -195,8 +195,8 @@ final class SimulatorCommand implements Callable<Integer> {
     }
 
     /**
-     * Ignores unknown options under another process name, as rcssserver3d does, because teams' scripts may pass some;
-     * otherwise rejects them.
+     * Rejects unknown options. With {@code --process-name}, ignores them as rcssserver3d does, because teams' scripts may
+     * pass them.
      */
     private void ignoreUnknown(Console console) {
         CommandLine command = Objects.requireNonNull(spec).commandLine();

@@ -16,7 +16,7 @@ public final class Checkup {
     /**
      * Returns the checks of an installation.
      *
-     * @param headless whether to skip studio and browser
+     * @param headless whether to skip the studio and the browser
      * @return the checks, not yet run
      */
     public static Checkup of(boolean headless) {
@@ -44,7 +44,7 @@ public final class Checkup {
     /**
      * Returns the checks of a classroom computer.
      *
-     * @param headless whether to skip studio, browser and graphics
+     * @param headless whether to skip the studio, the browser and the graphics
      * @return the checks of the installation, and of everything else that a lesson needs
      */
     public static Checkup ofRoom(boolean headless) {
@@ -61,7 +61,7 @@ public final class Checkup {
         return checkup;
     }
 
-    /** {@return the findings in order; each check runs when its finding is requested} */
+    /** {@return the findings in the order of the checks; each check runs when its finding is requested} */
     public Iterable<Finding> findings() {
         return () -> checks.stream().map(Supplier::get).iterator();
     }

@@ -5,7 +5,7 @@ import java.util.Locale;
 /**
  * Result of one check of the installation.
  *
- * @param subject what was checked, one or two words
+ * @param subject what was checked, in one or two words
  * @param verdict severity
  * @param found the observation
  * @param advice what to do; may be empty

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFolder;
 
-/** Checks WebGL, which the studio needs, in a headless browser. */
+/** Checks whether WebGL, which the studio needs, works in a headless browser. */
 final class GraphicsCheck {
 
     private static final String SUBJECT = "Graphics";

@@ -14,7 +14,7 @@ import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.board.EventBus;
 
-/** Studio with an empty pitch that opens on the progress page of a program. */
+/** Studio with an empty pitch. Its first page shows the progress of a program, such as a contest or an optimisation. */
 final class BoardStudio implements Viewer.View {
 
     private final EventBus board;
@@ -31,7 +31,7 @@ final class BoardStudio implements Viewer.View {
      * Opens the studio.
      *
      * @param board the event bus of the progress page
-     * @param port TCP port of the page; 0 for the default one, or any other if that is in use
+     * @param port TCP port of the page; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
      * @throws IOException if the port cannot be opened
      */

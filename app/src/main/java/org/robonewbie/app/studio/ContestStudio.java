@@ -18,8 +18,8 @@ import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
 /**
- * Studio that shows a running contest: a wall with all running trials, and the league table. Each trial also has its
- * own studio, in which it is shown full size.
+ * Studio for a running contest. The contest display shows all running trials side by side, and the league table. Each trial
+ * is also shown full size in a studio of its own.
  */
 public final class ContestStudio implements Spectators, AutoCloseable {
 
@@ -36,7 +36,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
     }
 
     /**
-     * Opens the wall.
+     * Opens the contest display.
      *
      * @param contest the contest
      * @param results the folder of its results
@@ -65,7 +65,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         return studio.invitation();
     }
 
-    /** Opens the wall in the browser. */
+    /** Opens the contest display in the browser. */
     public void showBrowser() {
         studio.showBrowser();
     }
@@ -92,7 +92,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         };
     }
 
-    /** Before the first trial, waits a limited time until a page is open, because some trials take only seconds. */
+    /** Before the first trial, waits for a limited time until a page is open, because some trials take only seconds. */
     private synchronized void awaitEyes() throws IOException {
         try {
             if (!hasWaited) {
@@ -108,7 +108,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
     /**
      * Shows that the contest has ended, and waits until no page is open.
      *
-     * @param words location of the results
+     * @param words sentence with the location of the results
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void isOver(String words) throws InterruptedException {

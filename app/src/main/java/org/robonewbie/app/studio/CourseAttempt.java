@@ -79,7 +79,10 @@ final class CourseAttempt implements CourseHost.Attempt {
         thread.start();
     }
 
-    /** Opens the same port each time if possible. It has no timeout, because a debugger may suspend the student's agent. */
+    /**
+     * Opens the same port each time if possible. The port has no timeout, because a debugger may suspend the student's
+     * agent.
+     */
     private static GuestDoor defaultDoor() throws IOException {
         try {
             return GuestDoor.open(DEFAULT_PORT);

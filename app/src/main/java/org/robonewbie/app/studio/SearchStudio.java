@@ -52,7 +52,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
      *
      * @param options display options
      * @param subject what is optimised
-     * @param objective the measure
+     * @param objective the measure to improve
      * @param plan size of the search
      * @param optimisation the search
      * @param file file for the best result

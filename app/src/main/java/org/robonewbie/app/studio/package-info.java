@@ -1,5 +1,6 @@
 /**
- * What commands show in the browser: a file, a search, the exercises. Start with {@link org.robonewbie.app.studio.OpenedFile}.
+ * Browser displays of the commands: an opened file, a search, a contest, the exercises. Start with {@link
+ * org.robonewbie.app.studio.OpenedFile}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -101,7 +101,7 @@ public final class Competition {
         }
     }
 
-    /** Returns notes for the table on how the programs were isolated. */
+    /** Returns the notes printed with the table, which say how the programs were isolated. */
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
             return List.of(
@@ -204,7 +204,7 @@ public final class Competition {
         }
     }
 
-    /** Returns everything that a result depends on: the trial, the programs and the limits. */
+    /** Returns a checksum of everything that a result depends on: the trial, the programs and the limits. */
     private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
         Fingerprint all = new Fingerprint()
                 .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff()

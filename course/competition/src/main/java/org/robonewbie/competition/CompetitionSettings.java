@@ -9,11 +9,11 @@ import org.robonewbie.programs.process.Sandbox;
 /**
  * Settings of a contest.
  *
- * @param seed seed of all random numbers, which is printed in the table
+ * @param seed seed of all random numbers; printed in the table
  * @param results folder in which results are stored
  * @param teamsFolder folder to which the paths of teams are relative
- * @param examples class names of the examples by simple name
- * @param parallelTrials number of trials that run in parallel
+ * @param examples full class names of the examples, by simple name
+ * @param parallelTrials number of trials to run in parallel
  * @param limits resource limits for each program
  * @param sandbox sandbox in which the programs run
  * @param spectators live viewers

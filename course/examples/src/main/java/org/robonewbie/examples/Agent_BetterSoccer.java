@@ -83,7 +83,9 @@ public class Agent_BetterSoccer extends Agent {
         bring(ballNow, goal);
     }
 
-    /** Turns the head towards the ball. The vertical field of view is large enough to keep the pitch constant. */
+    /**
+     * Turns the head towards the ball. The head's tilt stays constant, because the vertical field of view is large enough.
+     */
     private void watch(Vector3 ball) {
         double bearing = Math.toDegrees(Math.atan2(ball.y(), ball.x()));
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, bearing)), 180);
@@ -118,7 +120,7 @@ public class Agent_BetterSoccer extends Agent {
      * Walks to a point. The robot turns towards a distant point, but steps in any direction to reach a near one.
      *
      * @param place target in the robot's frame, in metres
-     * @param turn angle by which to turn if the target is near, in degrees; positive is left
+     * @param turn angle by which to turn if the target is near, in degrees; positive is to the left
      */
     protected final void walkTo(Vector3 place, double turn) {
         nao.drawPoint(place, "red");

@@ -58,7 +58,7 @@ public final class Agent_OwnWorldModel extends Agent {
         }
     }
 
-    /** Estimates the ball's position while both robot and ball move. */
+    /** Estimates the ball's position while both the robot and the ball move. */
     private static final class WorldModel {
 
         private static final double SMOOTHING = 0.3;

@@ -15,8 +15,8 @@ import org.robonewbie.nao.PlayMode;
  * one scan. The robot decides only when the last motion is over and its head points at the ground in front of its feet, because
  * the field view is accurate there.
  *
- * <p>Ideas: the player wants the ball nearly straight ahead, but always turns by the same angle: turn by the required one; stop
- * less often; kick; walk around the ball instead of side-stepping.
+ * <p>Ideas: the player wants the ball nearly straight ahead, but always turns by the same angle: turn by the required
+ * angle; stop less often; kick; walk around the ball instead of side-stepping.
  */
 public class Agent_SimpleSoccer extends Agent {
 

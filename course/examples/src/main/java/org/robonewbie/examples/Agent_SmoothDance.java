@@ -8,7 +8,7 @@ import org.robonewbie.nao.motion.KeyframeInterval;
 
 /**
  * Plays the dance with smooth curves instead of straight lines between keyframes, using a custom interpolation of a dozen
- * lines. Watch how the arms pass through a keyframe instead of changing speed abruptly.
+ * lines of code. Watch how the arms pass through a keyframe instead of changing speed abruptly.
  *
  * <p>With the argument {@code linear} it uses the default interpolation, for comparison.
  */

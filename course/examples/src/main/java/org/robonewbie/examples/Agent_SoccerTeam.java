@@ -11,8 +11,8 @@ import org.robonewbie.agent.perception.HeardMessage;
  * does, and the others keep the ball in view. The players broadcast their distances to the ball to find out which of
  * them is nearest.
  *
- * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Start it again with another team name to add
- * opponents.
+ * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Run it again with a different team name
+ * to add opponents.
  */
 public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
 

@@ -20,9 +20,9 @@ import org.robonewbie.nao.Vector3;
  * <p>Watch how objects stay known when the head turns away, and how their age increases. Start {@link Agent_Dummy} in the same
  * simulator to see another robot.
  *
- * <p>A real robot cannot know the true positions; the simulator sends them for this experiment (option {@code --truth}). The
- * field view adds the angles of neck and camera, which is a simple approximation. How large is the error, and at which head
- * angles is it largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
+ * <p>A real robot cannot know the true positions; the simulator sends them for this experiment (option {@code --truth}).
+ * The field view adds the angles of the neck and the camera, which is a simple approximation. How large is the error, and
+ * at which head angles is it largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 

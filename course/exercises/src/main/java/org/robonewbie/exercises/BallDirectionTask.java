@@ -22,8 +22,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: report the direction of the ball while the head turns and the body leans. Neither adding the angles of neck and
- * camera nor using the forward kinematics of the neck, which assumes an upright torso, is accurate enough.
+ * Task: report the direction of the ball while the head turns and the body leans. Neither adding the angles of the neck and
+ * the camera nor using the forward kinematics of the neck, which assumes an upright torso, is accurate enough.
  */
 final class BallDirectionTask implements Task {
 

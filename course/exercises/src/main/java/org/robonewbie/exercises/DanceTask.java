@@ -41,7 +41,7 @@ final class DanceTask implements Task {
     private double travelled;
     private boolean fallen;
 
-    /** A limb and the range in degrees through which one of its joints must move, which is smaller for legs. */
+    /** A limb and the range in degrees through which one of its joints must move; the range is smaller for legs. */
     private enum Limb {
         HEAD(30),
         LEFT_ARM(30),

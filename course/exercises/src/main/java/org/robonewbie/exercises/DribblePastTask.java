@@ -9,8 +9,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: dribble past an opponent on its left without touching the opponent or kicking the ball. The direct path would pass it
- * on the right.
+ * Task: dribble past the left side of an opponent without touching the opponent or kicking the ball. The direct path leads
+ * past its right side.
  */
 final class DribblePastTask implements Task {
 

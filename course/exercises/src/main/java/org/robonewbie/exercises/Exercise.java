@@ -15,11 +15,11 @@ import java.util.function.Supplier;
  * Grade grade = new Grader().grade(kick, MyKick::new, 3);
  * }</pre>
  *
- * @param number position in the course, from 1
+ * @param number number in the course, starting at 1
  * @param name name, such as {@code arm-by-side}
  * @param className name of the class in the starter code, such as {@code ArmBySide}
  * @param title heading of the worksheet
- * @param minutes approximate working time of a student
+ * @param minutes approximate working time of a student in minutes
  * @param goal what the robot has to do, as a sentence
  * @param seconds length of a trial in simulated seconds
  * @param task supplies a new task for each trial

@@ -5,7 +5,7 @@ import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
 
 /**
- * Assertion for tests of solutions, for any test framework.
+ * Assertion for tests of solutions. Works with any test framework.
  *
  * <pre>{@code
  * @Test
@@ -24,7 +24,7 @@ public final class ExerciseCheck {
      * Asserts that a program solves an exercise for the seeds 1 to 3.
      *
      * @param exercise name or number of the exercise
-     * @param student creates an agent with the program
+     * @param student creates an agent that runs the student's program
      * @throws AssertionError if the program does not solve it; the message contains the grade and hints
      * @throws IllegalArgumentException if there is no such exercise
      */

@@ -9,7 +9,9 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
 
-/** Observes a foot that misses the ball: its position relative to the ball at the most forward point of its swing. */
+/**
+ * Determines by how much the swinging foot misses the ball, from the foot's position at the foremost point of the swing.
+ */
 final class FootBesideBall {
 
     private final Pose2d start;

@@ -7,10 +7,10 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * Grade of an exercise.
+ * Grade for an exercise.
  *
  * @param exercise full name of the exercise
- * @param trials one score per seed, in order
+ * @param trials one score per seed, in the order of the seeds
  */
 public record Grade(String exercise, List<SeededScore> trials) {
 

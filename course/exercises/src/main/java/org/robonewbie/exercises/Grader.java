@@ -22,9 +22,9 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Grades solutions in this process, using the ground truth of the simulated world. Intended for tests. A program that throws or
- * never returns fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} grades in the same way, but runs the
- * program in a child process.
+ * Grades solutions in this process, using the ground truth of the simulated world. Intended for tests. A program that
+ * throws an exception or never returns fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} grades in
+ * the same way, but runs the program in a child process.
  */
 public final class Grader {
 
@@ -48,7 +48,7 @@ public final class Grader {
      * Grades a solution for the seeds 1, 2, 3 and so on.
      *
      * @param exercise the exercise
-     * @param student creates a robot with the student's program; called once for each robot
+     * @param student creates an agent that runs the student's program; called once for each robot
      * @param seeds the number of seeds, at least 1
      * @return the grade
      */
@@ -60,7 +60,7 @@ public final class Grader {
      * Grades a solution.
      *
      * @param exercise the exercise
-     * @param student creates a robot with the student's program; called once for each robot, from several threads
+     * @param student creates an agent that runs the student's program; called once for each robot, from several threads
      * @param seeds the seeds
      * @param recording file for a recording of the trial with the first seed, to be opened in the studio; empty for none
      * @return the grade

@@ -32,7 +32,7 @@ public final class Performance {
      *
      * @param exercise the exercise
      * @param seed seed of the random numbers
-     * @param student creates a robot with the student's program; called once for each robot
+     * @param student creates a controller that runs the student's program; called once for each robot
      * @param recording file for a recording for the studio; empty for none
      * @param listener observes the trial
      * @return the score; 0 points if the program throws an exception or its robots leave
@@ -107,7 +107,7 @@ public final class Performance {
     }
 
     /**
-     * Returns the score of a program whose step does not return.
+     * Returns the score of a program that is stuck in a step.
      *
      * @param howLong the duration, such as {@code " for 4 s"}; empty if unknown
      * @param place the line that the program is executing; empty if unknown

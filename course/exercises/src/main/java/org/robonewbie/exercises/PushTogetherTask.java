@@ -10,7 +10,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: push a wide box over a line with two robots without rotating it. One of the robots starts farther away than the other.
+ * Task: with two robots, push a wide box over a line without rotating it. One robot starts farther from the box than the
+ * other.
  */
 final class PushTogetherTask implements Task {
 

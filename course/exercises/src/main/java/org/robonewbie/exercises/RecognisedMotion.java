@@ -10,7 +10,10 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
-/** Detects a built-in motion from the leg joints, which must reach most of its keyframes in order, at any speed. */
+/**
+ * Detects a built-in motion from the leg joints, which must reach most of the motion's keyframes in the right order, at any
+ * speed.
+ */
 final class RecognisedMotion {
 
     private static final double ALIKE_DEGREES = 4;

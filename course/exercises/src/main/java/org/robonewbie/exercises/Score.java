@@ -24,7 +24,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * Returns the score of a solved exercise.
      *
      * @param finding measured result
-     * @return a score with all points
+     * @return a score with the maximum points
      */
     public static Score passed(String finding) {
         return new Score(true, MAX_POINTS, finding, "");
@@ -64,17 +64,17 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * Replaces the hint.
      *
      * @param other the new hint
-     * @return a copy with this hint
+     * @return a copy with the new hint
      */
     public Score withHint(String other) {
         return new Score(passed, points, finding, other);
     }
 
     /**
-     * Translates finding and hint.
+     * Translates the finding and the hint.
      *
      * @param language the language
-     * @return a copy in this language
+     * @return a copy in the given language
      */
     public Score in(Language language) {
         return new Score(passed, points, language.translated(finding), language.translated(hint));

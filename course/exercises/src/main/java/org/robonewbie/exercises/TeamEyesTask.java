@@ -11,7 +11,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: let robot 2 report on which side the ball lies behind robot 1. Robot 1, which may not look around, raises the arm on
+ * Task: robot 2 tells robot 1, which may not look around, on which side behind it the ball lies; robot 1 raises the arm on
  * that side.
  */
 final class TeamEyesTask implements Task {

@@ -37,7 +37,7 @@ public record ClassPath(List<Path> places) {
                 places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
     }
 
-    /** {@return the class path of this program; if it was started through a temporary jar, only its own jar} */
+    /** {@return the class path of this program, or only its own jar if it was started through a temporary jar} */
     public static ClassPath ofThisProgram() {
         Path own = ownPlace();
         return new ClassPath(
@@ -128,7 +128,7 @@ public record ClassPath(List<Path> places) {
      * Finds a character that the option {@code -cp} cannot express.
      *
      * @param place a folder or jar
-     * @return the first such character of its absolute path; empty if there is none
+     * @return the first such character in the absolute path; empty if there is none
      */
     public static Optional<String> obstacle(Path place) {
         return place.toAbsolutePath()

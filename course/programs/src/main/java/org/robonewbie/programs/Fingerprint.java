@@ -68,7 +68,7 @@ public final class Fingerprint {
     }
 
     /**
-     * Returns the complete SHA-256 of a file, as {@code sha256sum} prints it.
+     * Returns the SHA-256 hash of a file, as {@code sha256sum} prints it.
      *
      * @param file the file
      * @return 64 hexadecimal digits

@@ -17,7 +17,7 @@ import javax.tools.StandardLocation;
 /**
  * Compilation of Java files in memory, against this program and a class path. None of their code runs.
  *
- * @param name name of the files in messages
+ * @param name name by which messages refer to the files
  * @param sourcePath folders in which the compiler looks for further sources
  * @param classPath folders and jars
  */

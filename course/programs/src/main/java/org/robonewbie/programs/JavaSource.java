@@ -99,7 +99,7 @@ public final class JavaSource {
      *
      * @param classPath the user's folders and jars
      * @param folder folder for the class files
-     * @return whether it has no errors, see {@link #check}
+     * @return whether the file has no errors, see {@link #check}
      * @throws IOException if the folder cannot be written
      * @throws CalledWronglyException if the compiler runs out of memory or stack; the message says what to do
      */

@@ -35,7 +35,7 @@ public final class Program {
      * Creates a program from a class.
      *
      * @param type the class
-     * @return the program; empty if the class declares no main method that this Java can launch
+     * @return the program; empty if the class declares no main method that this version of Java can launch
      */
     public static Optional<Program> of(Class<?> type) {
         return of(type, Runtime.version().feature());
@@ -64,7 +64,10 @@ public final class Program {
                 .orElseThrow(() -> ProgramFinder.withoutMain(type));
     }
 
-    /** Returns whether the first version of Java with short forms of the main method can launch the class. */
+    /**
+     * Returns whether Java {@value #JAVA_OF_SHORT_FORMS}, which supports short forms of the main method, can launch the
+     * class.
+     */
     static boolean isShort(Class<?> type) {
         return of(type, JAVA_OF_SHORT_FORMS).isPresent();
     }

@@ -5,7 +5,7 @@ package org.robonewbie.programs;
  *
  * @param from index of the first marked character
  * @param to index after the last marked character
- * @param line line number from 1; 0 if the diagnostic has no position in this file
+ * @param line one-based line number; 0 if the diagnostic has no position in this file
  * @param serious whether it prevents the program from running
  * @param text the compiler's message
  * @param hint advice for beginners; empty if there is none

@@ -24,7 +24,7 @@ final class Arithmetic {
         }
     }
 
-    /** Executes the opcodes from 96: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
+    /** Executes the opcodes from 96 on: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
     private static void calculate(int code, Frame frame) {
         int operation = (code - 96) / 4;
         switch ((code - 96) % 4) {
@@ -108,7 +108,7 @@ final class Arithmetic {
     }
 
     /**
-     * Executes the opcodes from 120: shift left, right, unsigned right; and, or, exclusive or; each for int and long.
+     * Executes the opcodes from 120 on: shift left, right, unsigned right; and, or, exclusive or; each for int and long.
      */
     private static Object bits(int code, Frame frame) {
         Object right = frame.popObject();

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Content of a class file (Java Virtual Machine Specification, chapter 4) that is relevant for execution.
+ * The parts of a class file (Java Virtual Machine Specification, chapter 4) that are relevant for execution.
  *
  * @param name class name with slashes
  * @param superName name of the superclass with slashes
@@ -95,9 +95,9 @@ record ClassFile(
     /**
      * Entry of an exception table.
      *
-     * @param from first guarded byte
-     * @param to end of the guarded bytes, exclusive
-     * @param handler start of the exception handler
+     * @param from offset of the first guarded byte
+     * @param to offset after the last guarded byte
+     * @param handler offset of the exception handler
      * @param type class name of the exception with slashes; empty for all
      */
     record Guard(int from, int to, int handler, String type) {}

@@ -32,7 +32,7 @@ final class ClassFileReader {
     /**
      * Parses a class file.
      *
-     * @param bytes its content
+     * @param bytes contents of the file
      * @return the parsed class
      * @throws IllegalArgumentException if it is malformed or newer than Java 17; the message is shown to the user
      */

@@ -13,7 +13,7 @@ public final class EndlessLoop extends Error {
         this.place = place;
     }
 
-    /** {@return where it was stopped, for example {@code Walker.java:12}} */
+    /** {@return the position at which the program was stopped, for example {@code Walker.java:12}} */
     public String place() {
         return place;
     }

@@ -24,9 +24,9 @@ final class Lambda {
      *
      * @param type the functional interface, with slashes
      * @param name its only method
-     * @param called types of the call
+     * @param called descriptor of the call
      * @param handle the implementation
-     * @param remembered captured arguments, which precede those of the call
+     * @param remembered captured arguments, which precede the arguments of the call
      * @param machine executes the call
      */
     Lambda(String type, String name, Descriptor called, Handle handle, @Nullable Object[] remembered, Machine machine) {
@@ -46,7 +46,7 @@ final class Lambda {
         return method.equals(name);
     }
 
-    /** {@return the student's method that implements it, if no conversion is needed} */
+    /** {@return the student's method that implements the lambda; empty if a conversion is needed} */
     Optional<StudentMethod> body(Program program, @Nullable Object[] arguments) {
         Member member = handle.member();
         if (handle.kind() == NEW) {
@@ -64,7 +64,7 @@ final class Lambda {
                 : Optional.empty();
     }
 
-    /** {@return all arguments of the implementation} */
+    /** {@return all arguments for the implementation: the captured arguments, followed by those of the call} */
     @Nullable
     Object[] allArguments(StudentMethod body, @Nullable Object[] arguments) {
         Object[] all = all(arguments);

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
 public final class Machine {
 
     /**
-     * Number of instructions between two simulator messages after which a loop counts as endless; a few tenths of a
-     * second.
+     * Number of instructions between two simulator messages after which a loop counts as infinite; executing them takes a
+     * few tenths of a second.
      */
     public static final long STEPS_PER_CYCLE = 5_000_000;
 
@@ -45,7 +45,7 @@ public final class Machine {
     /**
      * Creates a machine.
      *
-     * @param program its classes
+     * @param program the student's program
      * @param output destination of {@code System.out} and {@code System.err}
      * @param specialCalls methods that are executed differently
      */
@@ -103,7 +103,7 @@ public final class Machine {
     /**
      * Runs until the program ends or waits.
      *
-     * @return whether it has ended
+     * @return whether the program has ended
      */
     public boolean resume() {
         Waiting pause = waiting;
@@ -198,7 +198,7 @@ public final class Machine {
         Instructions.execute(frame, this);
     }
 
-    /** Stops an endless loop. Reports a program that is slow in many cycles, but only once. */
+    /** Stops an infinite loop. Reports a program that is slow in many cycles, but only once. */
     private void checkTime() {
         if (stepsLeft < 0) {
             throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);

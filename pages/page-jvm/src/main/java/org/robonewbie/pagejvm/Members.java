@@ -8,7 +8,7 @@ import org.robonewbie.pagejvm.ClassFile.DynamicCall;
 import org.robonewbie.pagejvm.ClassFile.Member;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Instructions for fields, calls and types, where the student's classes meet the compiled ones. */
+/** Instructions for fields, calls and types. They connect the student's classes with the compiled ones. */
 final class Members {
 
     private static final String CONSTRUCTOR = "<init>";

@@ -18,7 +18,7 @@ public interface SpecialCalls {
      * @param name name of the method
      * @param target the receiver; null for a static method
      * @param arguments the arguments
-     * @return the result, a {@link Waiting} for a later one, or {@link #UNKNOWN}
+     * @return the result, a {@link Waiting} if the call must wait for its result, or {@link #UNKNOWN}
      */
     @Nullable
     Object call(String owner, String name, @Nullable Object target, @Nullable Object[] arguments);

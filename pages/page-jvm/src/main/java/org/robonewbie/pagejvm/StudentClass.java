@@ -17,7 +17,7 @@ final class StudentClass {
     private final Map<String, @Nullable Object> freshFields = new LinkedHashMap<>();
     private final Map<String, Optional<StudentMethod>> found = new HashMap<>();
 
-    /** Whether its static initialiser has started. */
+    /** Whether the static initialiser of this class has started. */
     boolean isInitialised;
 
     StudentClass(ClassFile file, Program program) {
@@ -122,9 +122,7 @@ final class StudentClass {
                 .map(code -> new StudentMethod(this, code));
     }
 
-    /**
-     * {@return all static fields of the class that declares the given one; empty if that class is not the student's}
-     */
+    /** {@return all static fields of the class that declares the given field; empty if that class is not the student's} */
     Optional<Map<String, @Nullable Object>> staticsWith(String field) {
         if (statics.containsKey(field)) {
             return Optional.of(statics);

@@ -5,10 +5,10 @@ import org.jspecify.annotations.Nullable;
 /** Pending result of a call that suspends the program. */
 public interface Waiting {
 
-    /** {@return whether the result is available; polled on each turn} */
+    /** {@return whether the result is available; polled while the program is suspended} */
     boolean isReady();
 
-    /** Advances the world, for compiled code that has called the program and must block. */
+    /** Advances the world once. Called repeatedly if compiled code has called the program and therefore must block. */
     void hurry();
 
     /** {@return the result} */

@@ -37,7 +37,7 @@ final class Navigation {
      * A page in a chapter.
      *
      * @param article the page
-     * @param below nested pages of its folder, in order
+     * @param below nested pages of its folder, in reading order
      */
     record Entry(Article article, List<Article> below) {}
 

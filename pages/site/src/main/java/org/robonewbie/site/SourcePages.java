@@ -28,7 +28,7 @@ final class SourcePages {
     }
 
     /**
-     * Content of a page for a file.
+     * A page that shows a file.
      *
      * @param title title of the page
      * @param html its HTML

@@ -4,7 +4,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Queue of user commands, which run in order. A command may block until the simulation has answered or robots have joined. */
+/**
+ * First-in, first-out queue of user commands. A command may block until the simulation has answered or until robots have
+ * joined.
+ */
 interface CommandQueue extends AutoCloseable {
 
     /**
@@ -24,9 +27,9 @@ interface CommandQueue extends AutoCloseable {
     <T> T result(Supplier<T> work);
 
     /**
-     * Sends the simulation a request and waits for the answer.
+     * Sends a request to the simulation and waits for the answer.
      *
-     * @param none result to return if the simulation has ended
+     * @param none the result if the simulation has ended
      * @param request sends the request and passes the answer to the given callback
      * @return the answer
      */

@@ -7,7 +7,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
 /**
- * Warnings and errors from all robots' programs, without duplicates. Sent to every page, regardless of which robot it
+ * Warnings and errors from all robots' programs, without duplicates. Sent to every page, regardless of which robot the page
  * watches.
  */
 final class DiagnosticsFeed {

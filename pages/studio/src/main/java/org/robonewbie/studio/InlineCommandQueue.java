@@ -13,8 +13,8 @@ import java.util.function.Supplier;
 final class InlineCommandQueue implements CommandQueue {
 
     /**
-     * Maximum number of evaluations of the condition in {@link #await}. Each one lets robots join; a robot that must
-     * wait for the other team joins during the second one.
+     * Maximum number of evaluations of the condition in {@link #await}. Each evaluation lets robots join; a robot that must
+     * wait for the other team joins during the second evaluation.
      */
     private static final int MAX_EVALUATIONS = 10;
 

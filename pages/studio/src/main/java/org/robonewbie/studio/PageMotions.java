@@ -24,7 +24,7 @@ public final class PageMotions {
     /**
      * Plays a motion file on a robot with full physics.
      *
-     * @param text content of the file
+     * @param text contents of the file
      * @param start initial posture: {@code standing}, {@code back} or {@code front}
      * @return the result as JSON
      * @throws RefusedException if the text is not a valid motion or is too long

@@ -30,7 +30,7 @@ public final class PageScenes {
     }
 
     /**
-     * Answers a request of the page.
+     * Answers a request from the page.
      *
      * @param feed the feed of the displayed world
      * @param method PUT saves or renames, DELETE removes, POST restores, any other method lists the scenes
@@ -50,7 +50,7 @@ public final class PageScenes {
      *
      * @param feed the feed of the displayed world
      * @param recording the uncompressed bytes of the recording
-     * @param moment index of the cycle, from 0
+     * @param moment zero-based index of the cycle
      * @return what was restored, as one JSON object
      * @throws RefusedException if the request is refused; the message gives the reason
      */

@@ -58,7 +58,7 @@ final class PuppetService {
     }
 
     /**
-     * Adds a puppet with the lowest free number of a team.
+     * Adds a puppet to a team, with the lowest free player number.
      *
      * @return the side and number of the puppet
      * @throws IllegalStateException if no puppet can join; the message gives the reason
@@ -116,7 +116,8 @@ final class PuppetService {
     }
 
     /**
-     * Adds a puppet for each robot that is in a state but no longer in the game. Returns the number of these robots.
+     * Adds a puppet for each robot that appears in {@code state} but is no longer in the game. Returns the number of such
+     * robots.
      */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.scene.Checkpoint;
 import org.robonewbie.studio.scene.RestorableSimulation;
 
-/** Restores checkpoints of the running simulation. Puppets replace robots that have left. */
+/** Restores checkpoints of the running simulation. Manually controlled robots (puppets) replace robots that have left. */
 final class Restore implements RestorableSimulation {
 
     private final StudioContext context;

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.landscape.Thing;
  * @param field the pitch
  * @param clock whether the clock can be paused
  * @param agentPort the TCP port of the agent server; empty if there is none
- * @param puppets whether puppets can join
+ * @param puppets whether manually controlled robots (puppets) can join
  * @param trial the running trial; empty for free play
  * @param teamLeft name of the left team, empty before it joins
  * @param teamRight name of the right team, empty before it joins

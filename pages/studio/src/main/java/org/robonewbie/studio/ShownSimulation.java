@@ -15,8 +15,8 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * Proxy for the displayed simulation, which switches between the free pitch and trials of exercises. Each switch moves
- * the observers to the new simulation.
+ * Proxy for the displayed simulation. It switches between the free pitch and trials of exercises; each switch moves the
+ * observers to the new simulation.
  */
 public final class ShownSimulation implements SimulationControl {
 

@@ -33,7 +33,7 @@ final class SignIn {
     private final Map<String, Instant> codes = new HashMap<>();
 
     /**
-     * Creates the sign-in of one studio.
+     * Creates the sign-in service of one studio.
      *
      * @param token the user's secret
      * @param port TCP port of the studio

@@ -24,7 +24,7 @@ public record StudioFolders(
     private static final String SCENES = "scenes";
 
     /**
-     * Creates folders without an opened recording. The scenes folder is a sibling of the motions folder.
+     * Creates the set of studio folders, with no recording open. The scenes folder is a sibling of the motions folder.
      *
      * @param motions folder of motion files; it need not exist
      * @param recordings folder of recordings; empty if nothing is recorded
@@ -36,8 +36,8 @@ public record StudioFolders(
     /**
      * Adds a recording from any folder.
      *
-     * @param recording its file
-     * @return the same folders with this recording
+     * @param recording file of the recording
+     * @return the same folders, with the recording added
      */
     public StudioFolders withRecording(Path recording) {
         return new StudioFolders(motions, scenes, recordings, projects, Optional.of(recording));
@@ -46,8 +46,8 @@ public record StudioFolders(
     /**
      * Returns the folders for a program that runs in the folder of its project.
      *
-     * @return {@code motions} in the working directory, the user's recordings, and those in the working directory and
-     *     in its folder {@code recordings}
+     * @return {@code motions} in the working directory, the user's recordings, and the recordings in the working directory
+     *     and its subfolder {@code recordings}
      */
     public static StudioFolders ofWorkingDirectory() {
         List<Path> projects = List.of(Path.of(""), Path.of("recordings"));

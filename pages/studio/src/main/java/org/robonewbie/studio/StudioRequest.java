@@ -12,7 +12,7 @@ interface StudioRequest {
     /**
      * Executes the command.
      *
-     * @param context what the command acts on
+     * @param context the objects on which the command operates
      */
     void applyTo(StudioContext context);
 
@@ -25,8 +25,8 @@ interface StudioRequest {
     /**
      * Subscribes to the telemetry of one robot only.
      *
-     * @param team name of its team
-     * @param number its number
+     * @param team name of the robot's team
+     * @param number player number of the robot
      */
     record Watch(String team, int number) implements StudioRequest {
         @Override
@@ -100,7 +100,7 @@ interface StudioRequest {
     /**
      * Adds a manually controlled robot.
      *
-     * @param side its team; ignored if there is no left team yet, because the robot then creates that team
+     * @param side team of the robot; ignored if there is no left team yet, because the robot then creates that team
      */
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override

@@ -49,7 +49,7 @@ public final class StudioServer implements Viewer.View {
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
 
-    /** Large, because browsers send the cookies from all ports of this computer. */
+    /** Maximum size of request headers; large, because browsers send the cookies from all ports of this computer. */
     private static final int MAX_HEADER_BYTES = 32_768;
 
     private static final int MAX_THREADS = 12;
@@ -96,7 +96,7 @@ public final class StudioServer implements Viewer.View {
         return start(simulation, port, token, folders, Optional.empty());
     }
 
-    /** Starts the studio with the page of an event bus. */
+    /** Starts the studio with the progress page of an event bus. */
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<EventBus> board)
             throws IOException {

@@ -37,7 +37,7 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Shows a simulation with the page of an event bus.
+     * Shows a simulation with the progress page of an event bus.
      *
      * @param simulation the world that the studio's other pages show
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use

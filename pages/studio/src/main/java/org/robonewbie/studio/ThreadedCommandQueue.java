@@ -17,7 +17,7 @@ final class ThreadedCommandQueue implements CommandQueue {
     private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
-    /** Timeout for an answer in seconds, longer than a running simulation waits for its agents. */
+    /** Timeout for an answer in seconds; longer than the time for which a running simulation waits for its agents. */
     private static final long ANSWER_SECONDS = 5;
 
     private final ExecutorService thread = Executors.newSingleThreadExecutor(ThreadedCommandQueue::newThread);

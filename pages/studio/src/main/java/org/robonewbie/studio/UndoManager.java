@@ -31,7 +31,7 @@ final class UndoManager implements RestorableSimulation {
     /**
      * Creates a manager with an empty history.
      *
-     * @param context what the commands act on
+     * @param context the objects on which the commands operate
      * @param notifier receives messages to the user
      */
     UndoManager(StudioContext context, Consumer<String> notifier) {

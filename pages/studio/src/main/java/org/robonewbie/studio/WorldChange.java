@@ -18,7 +18,7 @@ final class WorldChange implements UndoableCommand {
      *
      * @param world the running simulation
      * @param name description of the change
-     * @param gesture number of the drag that it belongs to; 0 for none
+     * @param gesture number of the drag to which the change belongs; 0 for none
      */
     WorldChange(Restore world, String name, long gesture) {
         this.world = world;

@@ -7,7 +7,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
-/** A world that the user may change freely: states can be restored, and puppets can join. */
+/** A world that the user may change freely: states can be restored, and manually controlled robots (puppets) can join. */
 interface EditableWorld extends SteppedWorld, PuppetProvider {
 
     /** {@return the bit-exact state; empty while a robot's answer is pending} */

@@ -60,7 +60,7 @@ final class ExerciseTrial implements SteppedWorld {
         return played.isPresent();
     }
 
-    /** {@return whether the program is stuck in an endless loop, which makes further trials pointless} */
+    /** {@return whether the program is stuck in an infinite loop, which makes further trials pointless} */
     boolean isStuck() {
         return stuck;
     }

@@ -26,7 +26,7 @@ public final class FieldEdition {
     /**
      * Runs a shipped agent alone, without a display.
      *
-     * @param agent name of its class
+     * @param agent class name of the agent
      * @param seed random seed
      * @param seconds simulated seconds
      * @return checksum of the recording: SHA-256 in 64 hexadecimal digits
@@ -39,7 +39,7 @@ public final class FieldEdition {
     /**
      * Lists the shipped agents.
      *
-     * @return the names of their classes, separated by spaces
+     * @return the class names of the agents, separated by spaces
      */
     @JSExport
     public static String agents() {
@@ -55,7 +55,7 @@ public final class FieldEdition {
     /**
      * Plays a motion on a robot with full physics.
      *
-     * @param text content of the motion file
+     * @param text contents of the motion file
      * @param start initial posture
      * @return the result as a JSON object, or a sentence if the motion is refused
      */
@@ -115,7 +115,7 @@ public final class FieldEdition {
      * Continues the simulation from a cycle of a recording.
      *
      * @param recording the uncompressed bytes of the recording
-     * @param moment index of the cycle, from 0
+     * @param moment zero-based index of the cycle
      * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
@@ -136,7 +136,7 @@ public final class FieldEdition {
     /**
      * Starts a world with shipped agents and shows it.
      *
-     * @param agents names of their classes, separated by spaces
+     * @param agents class names of the agents, separated by spaces
      * @param seed random seed
      */
     @JSExport
@@ -147,7 +147,7 @@ public final class FieldEdition {
     /**
      * Adds a shipped agent to the displayed world.
      *
-     * @param agent name of its class
+     * @param agent class name of the agent
      */
     @JSExport
     public static void join(String agent) {

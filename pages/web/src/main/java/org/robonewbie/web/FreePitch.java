@@ -24,7 +24,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** The beginners' world with free play: shipped agents, puppets and one student's program. */
+/** The beginners' world with free play: shipped agents, manually controlled robots (puppets) and one student's program. */
 final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
@@ -32,7 +32,7 @@ final class FreePitch implements EditableWorld {
     private static final double COLUMN_METRES = -2.5;
     private static final double ROW_METRES = 1.5;
 
-    /** Time limit in cycles. A robot needs fewer cycles to leave, or to join and stand still. */
+    /** Maximum number of cycles to wait until a robot has left, or has joined and stands still. */
     private static final int MAX_CYCLES = 100;
 
     private final SteppedSimulator simulator;
@@ -83,7 +83,7 @@ final class FreePitch implements EditableWorld {
     /**
      * Adds a student's program.
      *
-     * @param program its classes
+     * @param program the program's classes
      * @param run tracks the state of the program
      * @return this pitch
      */
@@ -185,7 +185,9 @@ final class FreePitch implements EditableWorld {
         players.forEach(Player::play);
     }
 
-    /** A participant that acts once per cycle. It does not act again in a cycle that its own turn triggers. */
+    /**
+     * A participant that acts once per cycle. If its action advances the world by further cycles, it does not act in these.
+     */
     private static final class Player {
 
         private final Runnable turn;

@@ -24,8 +24,8 @@ final class HeadlessRun {
     /**
      * Runs a student's program alone in the beginners' world.
      *
-     * @param program its classes
-     * @param output receives its output
+     * @param program the program's classes
+     * @param output receives the program's output
      * @param seed random seed
      * @param seconds time limit in simulated seconds
      * @return the ground-truth results

@@ -46,7 +46,9 @@ import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
-/** Roots for TeaVM's dead-code elimination: classes that only students' programs use, and which it would otherwise remove. */
+/**
+ * Roots for TeaVM's dead-code elimination: classes that only students' programs use and that TeaVM would otherwise remove.
+ */
 final class LibraryRoots {
 
     private static final List<Class<?>> CLASSES = List.of(

@@ -8,7 +8,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.team.tactics.Assignment;
 
-/** Calls methods that have arrays of primitives as parameters, which the compiled module cannot call by reflection. */
+/** Calls methods that take arrays of primitives, because the compiled module cannot call such methods by reflection. */
 final class NumberArrays {
 
     /** Result of a void method. */

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** The displayed world and its clock, advanced a little on each turn of the page's worker. */
+/** The displayed world and its clock. The page's worker advances the world a little at regular intervals. */
 final class PacedWorld implements PageFeed.World {
 
     private static final long MAX_TURN_NANOS = 15_000_000;

@@ -65,7 +65,7 @@ final class PageContext {
         return pitch;
     }
 
-    /** Starts a new recording, which replaces the last one. */
+    /** Starts a new recording, which replaces the current one. */
     static RecordingTarget record() {
         RECORDINGS.add(new PageRecording());
         return RECORDINGS.getLast();

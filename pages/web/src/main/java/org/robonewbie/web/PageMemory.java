@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * State of the classes that replace others in the page. They cannot hold it themselves, because TeaVM compiles a copy
- * of each under the name of the replaced class, with separate static fields.
+ * State of the classes that replace library and framework classes in the page. The replacements cannot hold it themselves,
+ * because TeaVM compiles a copy of each under the name of the replaced class, with separate static fields.
  */
 public final class PageMemory {
 
@@ -20,7 +20,7 @@ public final class PageMemory {
     /**
      * Sets the running program.
      *
-     * @param calls returns its call stack, the innermost call first
+     * @param calls returns the program's call stack, the innermost call first
      */
     static void setProgram(Supplier<StackTraceElement[]> calls) {
         program = calls;

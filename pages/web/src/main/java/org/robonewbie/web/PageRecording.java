@@ -16,7 +16,7 @@ final class PageRecording implements RecordingTarget {
          * Receives the next piece.
          *
          * @param bytes bytes of the recording
-         * @param first whether they are the first ones
+         * @param first whether these are the first bytes of the recording
          */
         void take(byte[] bytes, boolean first);
     }
@@ -28,12 +28,12 @@ final class PageRecording implements RecordingTarget {
 
     @Override
     public void flush() {
-        // Data are sent on each turn of the worker.
+        // Data are sent by sendTo.
     }
 
     @Override
     public void close() {
-        // Data are sent on each turn of the worker.
+        // Data are sent by sendTo.
     }
 
     /**

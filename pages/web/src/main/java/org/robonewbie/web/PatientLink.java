@@ -6,7 +6,10 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Link that blocks while a robot joins, by advancing the world, and is non-blocking afterwards. */
+/**
+ * Link between a robot and the simulator. While the robot joins, it blocks until a message arrives, advancing the world;
+ * afterwards, it is non-blocking.
+ */
 final class PatientLink implements AgentLink {
 
     private final AgentLink link;

@@ -18,8 +18,8 @@ import org.robonewbie.examples.Agent_TestPerceptorInput;
 import org.robonewbie.examples.Agent_TestSelfLocalisation;
 
 /**
- * Agents that are shipped with the page: the examples in which the framework runs the cycle. Examples that call
- * {@code Nao} themselves would have to be suspended in the middle of a call, and those with threads cannot run in a page.
+ * Agents that are shipped with the page: the examples in which the framework runs the cycle. Examples that call {@code Nao}
+ * themselves would have to be suspended in the middle of a call, and examples with threads cannot run in a page.
  */
 final class ShippedAgents {
 
@@ -41,7 +41,7 @@ final class ShippedAgents {
 
     private ShippedAgents() {}
 
-    /** {@return their names, the most impressive one first} */
+    /** {@return the class names of the agents, the most impressive agent first} */
     static List<String> names() {
         return List.copyOf(MAKERS.keySet());
     }

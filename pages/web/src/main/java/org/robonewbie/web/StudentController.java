@@ -23,9 +23,9 @@ final class StudentController implements Controller {
     /**
      * Creates the agent.
      *
-     * @param program its classes, not shared with another robot
-     * @param output receives its output
-     * @param viewer receives its telemetry
+     * @param program the program's classes, not shared with another robot
+     * @param output receives the program's output
+     * @param viewer receives the robot's telemetry
      * @throws IllegalArgumentException if the program has no agent; the message is shown to the user
      */
     StudentController(Program program, PrintStream output, TelemetrySink viewer) {
@@ -39,7 +39,7 @@ final class StudentController implements Controller {
      * Finds the agent of a program.
      *
      * @param program the program
-     * @return the name of its class
+     * @return the class name of the agent
      * @throws IllegalArgumentException if the program has none; the message is shown to the user
      */
     static String agentOf(Program program) {

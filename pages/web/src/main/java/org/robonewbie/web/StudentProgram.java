@@ -43,8 +43,8 @@ final class StudentProgram {
     /**
      * Loads a program.
      *
-     * @param program its classes
-     * @param output receives its output
+     * @param program the program's classes
+     * @param output receives the program's output
      * @param entrance opens a connection for a robot; runs the given action repeatedly while the robot joins
      * @param nextCycle advances the world while a robot joins or the program waits inside compiled code
      * @param viewer receives the robots' telemetry
@@ -74,7 +74,7 @@ final class StudentProgram {
     /**
      * Runs the program until it waits for the next message.
      *
-     * @return whether it has ended
+     * @return whether the program has ended
      */
     boolean resume() {
         if (machine.resume()) {
@@ -84,7 +84,7 @@ final class StudentProgram {
         return false;
     }
 
-    /** Disconnects the program's robots, whatever its state. */
+    /** Disconnects the program's robots, regardless of the program's state. */
     void leave() {
         links.forEach(PatientLink::close);
     }

@@ -35,7 +35,7 @@ final class StudentRun {
      * Starts a program.
      *
      * @param program the program
-     * @return runs the program until it waits for the next message
+     * @return an action that runs the program until it waits for the next message
      */
     Runnable begin(StudentProgram program) {
         leave = program::leave;

@@ -42,7 +42,7 @@ public final class WebEdition {
     /**
      * Runs a shipped agent alone, without a display.
      *
-     * @param agent name of its class
+     * @param agent class name of the agent
      * @param seed random seed
      * @param seconds simulated seconds
      * @return checksum of the recording: SHA-256 in 64 hexadecimal digits
@@ -55,7 +55,7 @@ public final class WebEdition {
     /**
      * Lists the shipped agents.
      *
-     * @return the names of their classes, separated by spaces
+     * @return the class names of the agents, separated by spaces
      */
     @JSExport
     public static String agents() {
@@ -71,7 +71,7 @@ public final class WebEdition {
     /**
      * Plays a motion on a robot with full physics.
      *
-     * @param text content of the motion file
+     * @param text contents of the motion file
      * @param start initial posture
      * @return the result as a JSON object, or a sentence if the motion is refused
      */
@@ -89,8 +89,8 @@ public final class WebEdition {
     /**
      * Converts a recording to a SimSpark server log.
      *
-     * @param recording content of the recording's file
-     * @return content of the log
+     * @param recording contents of the recording's file
+     * @return contents of the log
      * @throws IOException if the file is not a recording
      */
     @JSExport
@@ -137,7 +137,7 @@ public final class WebEdition {
      * Continues the simulation from a cycle of a recording.
      *
      * @param recording the uncompressed bytes of the recording
-     * @param moment index of the cycle, from 0
+     * @param moment zero-based index of the cycle
      * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
@@ -158,7 +158,7 @@ public final class WebEdition {
     /**
      * Starts a world with shipped agents and shows it.
      *
-     * @param agents names of their classes, separated by spaces
+     * @param agents class names of the agents, separated by spaces
      * @param seed random seed
      */
     @JSExport
@@ -170,7 +170,7 @@ public final class WebEdition {
     /**
      * Adds a shipped agent to the displayed world.
      *
-     * @param agent name of its class
+     * @param agent class name of the agent
      */
     @JSExport
     public static void join(String agent) {
@@ -194,7 +194,7 @@ public final class WebEdition {
     /**
      * Adds a class of a student's program for {@link #beginProgram}.
      *
-     * @param classFile content of the class file
+     * @param classFile contents of the class file
      */
     @JSExport
     public static void takeClass(Int8Array classFile) {
@@ -211,7 +211,7 @@ public final class WebEdition {
      * Adds one of the user's motions, which programs can start by name.
      *
      * @param name name of the motion
-     * @param file content of its file
+     * @param file contents of the motion file
      */
     @JSExport
     public static void takeMotion(String name, Int8Array file) {
@@ -222,7 +222,7 @@ public final class WebEdition {
      * Starts a world with the program whose classes were added.
      *
      * @param seed random seed
-     * @param others class names of shipped agents that play as well, separated by spaces
+     * @param others class names of shipped agents that also play, separated by spaces
      * @return why the program cannot run in the page; empty if it runs
      */
     @JSExport

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * Seeds and variations of a competition.
+ * Seeds and variations of a contest.
  *
  * @param seed seed of all random numbers
  * @param varied whether start poses depend on the seed, so that teams cannot prepare for them
@@ -24,7 +24,7 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
      * Returns the default conditions.
      *
      * @param seed seed of all random numbers
-     * @return the same seed for all teams, and fixed start poses
+     * @return conditions with the same seed for all teams and with fixed start poses
      */
     public static Conditions of(long seed) {
         return new Conditions(seed, false, Map.of());

@@ -2,7 +2,7 @@ package org.robonewbie.competition.contest;
 
 import java.util.List;
 
-/** Plans the trials of a contest and ranks their results, but does not run them. */
+/** Plans the trials of a contest and ranks the teams, but does not run the trials. */
 public sealed interface Contest permits ChallengeContest, JudgedContest {
 
     /** {@return the contest's name on the command line, one word} */
@@ -15,8 +15,8 @@ public sealed interface Contest permits ChallengeContest, JudgedContest {
     String rule();
 
     /**
-     * Returns the trials that can be planned so far. Called again whenever these have finished, because a contest may need
-     * further trials to break a tie.
+     * Returns the trials that can be planned so far. Called again whenever these trials have finished, because a contest
+     * may need further trials to break a tie.
      *
      * @param teams names of the teams
      * @param results results of the finished trials

@@ -12,7 +12,7 @@ import org.robonewbie.trial.measure.Standing;
 /** The contests with their default parameters. */
 public final class Contests {
 
-    /** Length of a trial in the scoring contest in simulated seconds: three minutes. */
+    /** Length of a trial in the scoring contest, in simulated seconds. */
     public static final double SCORING_SECONDS = 180;
 
     private static final double MINI_SECONDS = 60;

@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param figure name of the measured value
  * @param title column heading
  * @param format {@link String#format} pattern, in which the number comes first, followed by a space if there is a unit
- * @param better 1 if larger values are better, -1 if smaller ones are, 0 if the column does not affect the ranking
+ * @param better 1 if larger values are better, -1 if smaller values are better, 0 if the column does not affect the ranking
  * @param missing value for a trial in which nothing was measured; NaN leaves the team without a total
  */
 public record Criterion(String figure, String title, String format, int better, double missing) {
@@ -54,7 +54,7 @@ public record Criterion(String figure, String title, String format, int better, 
     /**
      * Returns a copy that is shown as a column but does not affect the ranking.
      *
-     * @return a changed copy
+     * @return the copy
      */
     public Criterion onlyShown() {
         return new Criterion(figure, title, format, 0, missing);

@@ -19,7 +19,7 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
      *
      * @param home home team
      * @param away away team
-     * @param number index of the fixture, from 1
+     * @param number number of the fixture, starting at 1
      */
     record Pair(String home, String away, int number) {
 

@@ -11,8 +11,8 @@ import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * Measures the number of gymnastic elements that the robot has performed, in any order: both arms up, a squat, a stand on one
- * leg, a bow, a full turn, and lying down and getting up again.
+ * Counts the gymnastic elements that the robot has performed, in any order: both arms up, a squat, a stand on one leg, a
+ * bow, a full turn, and lying down and getting up again.
  */
 final class Gymnastics implements Measure {
 
@@ -59,7 +59,7 @@ final class Gymnastics implements Measure {
         elements = shown;
     }
 
-    /** Accumulates turns while the robot stands; rotations during a fall or on the ground do not count. */
+    /** Accumulates the robot's rotation while it stands; rotation during a fall or on the ground does not count. */
     private void watchTurn(WorldState state) {
         if (state.robot().isStanding()) {
             turn.see(state);

@@ -30,18 +30,18 @@ public interface Judge {
      *
      * @param world current state of the world
      * @param team name of the team
-     * @return whether it has a robot
+     * @return whether the team has a robot on the pitch
      */
     static boolean isPresent(WorldSnapshot world, String team) {
         return world.robots().stream().anyMatch(robot -> robot.team().equals(team));
     }
 
     /**
-     * Returns the goals of a team that is on the pitch.
+     * Returns the number of goals that a team on the pitch has scored.
      *
      * @param world current state of the world
      * @param team name of the team
-     * @return its goals
+     * @return the number of goals
      */
     static int goals(WorldSnapshot world, String team) {
         return world.teamLeft().equals(team) ? world.scoreLeft() : world.scoreRight();

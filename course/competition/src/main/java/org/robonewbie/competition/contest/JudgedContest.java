@@ -1,12 +1,12 @@
 package org.robonewbie.competition.contest;
 
-/** Contest whose trials are games on a complete simulator, each scored by a judge. */
+/** Contest in which each trial is a game in a full simulator, scored by a judge. */
 public non-sealed interface JudgedContest extends Contest {
 
     /**
      * Creates the judge for a trial.
      *
-     * @param trial one of the trials
+     * @param trial a trial of this contest
      * @return a new judge
      */
     Judge judge(ContestTrial trial);

@@ -19,7 +19,7 @@ final class LeagueTable {
 
     private LeagueTable() {}
 
-    /** A team's record of matches and goals. */
+    /** A team's wins, draws, losses and goals. */
     record Line(String team, int won, int drawn, int lost, int goals, int against) {
 
         int points() {
@@ -55,7 +55,7 @@ final class LeagueTable {
     /**
      * Creates the table of a contest.
      *
-     * @param contest contest that supplies title and rule
+     * @param contest contest that supplies the title and the rule
      * @param teams all teams
      * @param fixtures results of the finished fixtures
      * @param results results of the finished trials

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  *
  * @param kind pitch, rules and number of fixtures per pair of teams
  * @param players robots per team, 1 to 11
- * @param seconds length of a match, which has only one half, in simulated seconds
+ * @param seconds length of a match in simulated seconds; a match has only one half
  * @param conditions seeds
  */
 public record MatchContest(MatchKind kind, int players, double seconds, Conditions conditions)

@@ -6,14 +6,16 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** The kinds of matches: those of a course and those of a league. */
+/** Kinds of matches: course matches and league matches. */
 public enum MatchKind {
     /** Small teams on the small pitch without fouls; single round robin. */
     MATCHES("matches", "Matches", "Every team plays every other team once"),
-    /** Full teams on the league's pitch under its rules; double round robin with swapped sides. */
+    /** Full teams on the league's pitch under the league's rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
-    /** Time by which the referee's half exceeds the match, so that the contest, not the referee, ends the match. */
+    /**
+     * Time in seconds by which the referee's half exceeds the match, so that the contest, not the referee, ends the match.
+     */
     private static final double SPARE_SECONDS = 60;
 
     private static final double MAX_PLAYERS = 11;
@@ -52,7 +54,7 @@ public enum MatchKind {
         return this == LEAGUE;
     }
 
-    /** Returns the side that takes the first kick-off: that of the home team in a league, otherwise alternating. */
+    /** Returns the side that takes the first kick-off: the home team's side in a league, alternating sides otherwise. */
     TeamSide kickOff(Fixture.Pair pair) {
         return this == LEAGUE || pair.number() % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT;
     }
@@ -74,7 +76,7 @@ public enum MatchKind {
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
     }
 
-    /** Returns the league's rules without its limits on robot types, so that any program can take part. */
+    /** Returns the rules of the league without the limits on robot types, so that any program can take part. */
     private static SoccerParameters league(double seconds) {
         return SoccerParameters.league()
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)

@@ -12,8 +12,9 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Round-robin contest of penalty shoot-outs, in which both teams attack and defend. The ball lies 2.5 m in front of the goal;
- * the attacker starts 0.8 m behind it, with a lateral offset that differs between rounds but is the same for both teams.
+ * Round-robin contest of penalty shoot-outs, in which both teams attack and defend. The ball lies 2.5 m in front of the
+ * goal; the attacker starts 0.8 m behind the ball, with a lateral offset that differs between rounds but is the same for
+ * both teams.
  *
  * @param shootOut numbers of regular and sudden-death rounds
  * @param seconds time limit of an attack in simulated seconds

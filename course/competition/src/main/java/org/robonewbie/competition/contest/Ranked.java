@@ -7,7 +7,7 @@ import java.util.List;
 /**
  * Entry of a ranking. Tied items share a rank, and the following ranks are skipped: 1, 2, 2, 4.
  *
- * @param rank rank, from 1 for the best
+ * @param rank rank, where 1 is the best
  * @param who the ranked item
  * @param <T> type of the items
  */

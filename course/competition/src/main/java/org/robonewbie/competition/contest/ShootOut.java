@@ -3,8 +3,8 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 
 /**
- * Penalty shoot-out between two teams: a number of rounds in which each team attacks once, followed by sudden death while the
- * score is level.
+ * Penalty shoot-out between two teams: a fixed number of rounds in which each team attacks once, followed by sudden death
+ * while the score is level.
  *
  * @param rounds number of regular rounds
  * @param suddenDeathRounds maximum number of sudden-death rounds

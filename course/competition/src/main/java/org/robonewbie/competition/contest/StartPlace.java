@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
  * @param number number of the robot, 1 to 11
  * @param x x coordinate in metres
  * @param y y coordinate in metres
- * @param degrees heading in degrees; 0 is towards the opponents' goal, positive is left
+ * @param degrees heading in degrees; 0 is towards the opponents' goal, positive is to the left
  */
 public record StartPlace(int number, double x, double y, double degrees) {
 
@@ -18,7 +18,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
     private static final double TORSO_METRES = 0.4;
 
     /**
-     * Formats the pose as an argument of the option {@code --pose} of agents.
+     * Formats the pose as an argument for the agents' option {@code --pose}.
      *
      * @return the argument, such as {@code -0.5,0.4,-40}
      */

@@ -21,7 +21,7 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
     /**
      * Row of one team.
      *
-     * @param rank rank from 1, shared by ties
+     * @param rank rank, where 1 is the best; tied teams share a rank
      * @param team name of the team
      * @param cells the text of each column
      * @param trials names of its trials
@@ -38,7 +38,7 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
         /**
          * Creates the row of a team that took part.
          *
-         * @param rank rank from 1
+         * @param rank rank, where 1 is the best
          * @param team name of the team
          * @param cells the text of each column
          * @param trials names of its trials

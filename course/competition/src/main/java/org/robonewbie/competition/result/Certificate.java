@@ -11,7 +11,7 @@ import org.robonewbie.nao.text.Html;
  *
  * @param team the team
  * @param table the table of the contest
- * @param row the team's row in it
+ * @param row the team's row in the table
  */
 record Certificate(TeamEntry team, Table table, Table.Row row) {
 

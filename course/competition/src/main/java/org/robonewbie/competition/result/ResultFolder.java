@@ -139,7 +139,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Detects files that other programs have modified during the contest, and restores the results.
+     * Detects files that other programs modified during the contest, and restores the results.
      *
      * @return one sentence per modified file
      * @throws IOException if a file cannot be read or written
@@ -164,7 +164,10 @@ public final class ResultFolder implements Results, AutoCloseable {
         return sentences;
     }
 
-    /** Returns whether a file has the given content. Safe even if a program has replaced the file with a huge one or a pipe. */
+    /**
+     * Returns whether a file has the given contents. Safe even if a program has replaced the file with a huge one or a
+     * pipe.
+     */
     private static boolean holds(Path file, byte[] content) {
         try {
             return Arrays.equals(RegularFile.read(file, content.length), content);

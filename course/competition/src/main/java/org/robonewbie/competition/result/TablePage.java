@@ -6,7 +6,7 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.text.Html;
 
-/** HTML page with the table, for display and printing. */
+/** HTML page with the results table of a contest, for display and printing. */
 final class TablePage {
 
     private static final String STYLE = """

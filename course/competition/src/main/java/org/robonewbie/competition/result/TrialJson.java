@@ -31,7 +31,7 @@ final class TrialJson {
     record Kept(TrialResult result, String recordingSha256) {}
 
     /**
-     * Writes a result.
+     * Formats a result as JSON.
      *
      * @param circumstances checksum of everything that the result depends on
      */
@@ -48,8 +48,7 @@ final class TrialJson {
     }
 
     /**
-     * Reads a result. Returns empty if it is damaged or was saved with a different checksum; the trial is then
-     * repeated.
+     * Parses a result. Returns empty if it is damaged or was saved with a different checksum; the trial is then repeated.
      */
     static Optional<Kept> read(String text, String circumstances) {
         try {

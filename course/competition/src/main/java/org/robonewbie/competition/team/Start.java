@@ -7,12 +7,12 @@ import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.StartPlace;
 
 /**
- * Arguments with which a program is started.
+ * Start arguments of a program.
  *
  * @param port TCP port of the simulator on this computer
- * @param team name of its team
- * @param role its role
- * @param places start positions of its robots; more than one only if one process runs all players
+ * @param team name of the program's team
+ * @param role role of the program
+ * @param places start poses of the program's robots; more than one only if one process runs all players
  */
 public record Start(int port, String team, Role role, List<StartPlace> places) {
 

@@ -149,7 +149,7 @@ public sealed interface TeamProgram {
             List<String> words =
                     new ArrayList<>(List.of(ProgramMain.CLASS, mainClasses.getOrDefault(start.role(), "")));
             words.addAll(start.options(together));
-            words.add("--no-browser"); // without --headless, which would make the agent itself stop endless loops
+            words.add("--no-browser"); // without --headless, which would make the agent itself stop infinite loops
             return words;
         }
 

@@ -34,7 +34,7 @@ import org.robonewbie.programs.process.Sandbox;
  *
  * @param folder folder to which paths are relative
  * @param buildFolder folder for copies of the teams' files and for compiled classes
- * @param examples class names of the examples by simple name
+ * @param examples full class names of the examples, by simple name
  * @param sandbox sandbox of the compiler
  */
 public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> examples, Sandbox sandbox) {
@@ -111,7 +111,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
         return compiled(team, sources, submitted.root(), new Fingerprint());
     }
 
-    /** Compiles a single file together with the other files of its folder, without subfolders. */
+    /** Compiles a file together with the other files in its folder, but not those in subfolders. */
     private TeamProgram ofFile(TeamEntry team, Path file, Collection<Path> foreign) throws IOException {
         Path own = Objects.requireNonNull(file.getParent());
         String main = Objects.requireNonNull(file.getFileName()).toString().replaceFirst("\\.java$", "");

@@ -136,7 +136,7 @@ final class AdmissionControl implements AutoCloseable {
         return processes.values().stream().flatMap(List::stream).toList();
     }
 
-    /** Returns whether a connection is allowed. A team that connects to the port of another one is recorded as an intruder. */
+    /** Returns whether a connection is allowed. A team that connects to another team's port is recorded as an intruder. */
     boolean isAllowed(String team, int port, InetSocketAddress client) {
         if (!ProcessTree.hasConnections() || isOf(team, port, client)) {
             return true;

@@ -62,7 +62,7 @@ final class RemoteAgents implements AutoCloseable {
         return admission.processes(team);
     }
 
-    /** Controller in another process, whose computing time is measured in each turn. */
+    /** Controller in another process; its response time is measured. */
     private record TimedController(Controller controller, ChildProcess process) implements Controller {
 
         @Override

@@ -12,11 +12,13 @@ import java.util.Optional;
  *
  * @param recording file of the recording
  * @param logs folder for the output of programs
- * @param work working folder of programs, which is deleted after the trial
+ * @param work working folder of programs; deleted after the trial
  */
 public record TrialFiles(Optional<Path> recording, Path logs, Path work) {
 
-    /** Returns the paths that are hidden from programs: the result folder, which also contains their working folder. */
+    /**
+     * Returns the paths that are hidden from programs: the result folder, which also contains the programs' working folder.
+     */
     List<Path> hidden() {
         return List.of(
                 Objects.requireNonNullElse(work.toAbsolutePath().normalize().getParent(), work));

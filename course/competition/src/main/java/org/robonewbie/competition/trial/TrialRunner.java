@@ -35,8 +35,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.TeamEndpoint;
 
 /**
- * Runs trials on a complete simulator: starts the simulator and the teams' programs. The clock starts when all robots
- * have joined, so it does not matter how long the programs take to start.
+ * Runs trials in a full simulator: starts the simulator and the teams' programs. The clock starts when all robots have
+ * joined, so it does not matter how long the programs take to start.
  */
 public final class TrialRunner implements TrialPlayer {
 
@@ -81,7 +81,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Plays until the trial is decided or the time limit is reached. */
+    /** Runs a trial until it is decided or the time limit is reached. */
     private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, AdmissionControl admission)
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");

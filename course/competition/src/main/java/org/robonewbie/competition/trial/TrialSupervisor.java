@@ -32,7 +32,7 @@ final class TrialSupervisor implements SimulationObserver {
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
 
-    /** Cycles for which a team may have too many robots, because a reconnecting program briefly has two. */
+    /** Number of cycles for which a team may have too many robots; a reconnecting program briefly has two. */
     private static final int EXTRA_ROBOT_CYCLES = 10;
 
     private static final double PLACE_METRES = 0.4;

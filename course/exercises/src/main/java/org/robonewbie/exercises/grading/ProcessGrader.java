@@ -106,7 +106,7 @@ public record ProcessGrader(
      * @param student the program
      * @param recording file for a recording; empty for none
      * @param listener observes the trial
-     * @return the score, which explains why robots have left early
+     * @return the score; if robots have left early, its finding explains why
      * @throws IOException if no port is free
      */
     public static Score trial(

@@ -19,8 +19,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * The submissions of all students in a course: a folder for each student, or files named after student and Java class, such as
- * {@code anna_Kick.java}. The name of the Java class determines the exercise.
+ * The submissions of all students in a course: a folder for each student, or files named after the student and the Java
+ * class, such as {@code anna_Kick.java}. The name of the Java class determines the exercise.
  */
 final class ClassFolder {
 
@@ -41,7 +41,7 @@ final class ClassFolder {
      *
      * @param folder the folder
      * @param exercises the exercises to grade
-     * @param copies folder for copies of the accepted files, which are graded
+     * @param copies folder for copies of the accepted files; the copies are graded
      * @param results folder for the results, which is ignored if it is inside {@code folder}
      * @throws CalledWronglyException if there is nothing to grade
      */

@@ -29,11 +29,11 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * Grades the programs of all students in a course in parallel, writes a table of grades and checks for plagiarism. Grades are
  * stored: running the command again resumes an interrupted run and grades only programs that have changed.
  *
- * @param folder a folder for each student, or files such as {@code anna_Kick.java}
+ * @param folder folder that contains a subfolder for each student, or files such as {@code anna_Kick.java}
  * @param exercises the exercises to grade
  * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades
- * @param version version of the grader; grades from another version are not reused
+ * @param version version of the grader; grades from a different version are not reused
  * @param sandbox the sandbox of the programs
  * @param progress receives a line for each grade
  */

@@ -31,7 +31,7 @@ final class CopyCheck {
      * @param exercise full name of the exercise
      * @param first a student
      * @param second another student
-     * @param likeness share of the shorter program that is contained in the other one, 0 to 1
+     * @param likeness share of the shorter program that also occurs in the longer one, 0 to 1
      * @param sameNumbers share of numeric literals that occur in both programs, 0 to 1
      * @param identical whether the two files have the same text
      */
@@ -40,7 +40,7 @@ final class CopyCheck {
     /**
      * Statistics of the programs of one exercise.
      *
-     * @param exercise its name
+     * @param exercise name of the exercise
      * @param programs the number of programs
      * @param comparable the number of programs with enough original code to be compared
      * @param unchanged the number of programs that equal the starter code

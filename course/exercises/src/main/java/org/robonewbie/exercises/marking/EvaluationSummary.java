@@ -36,7 +36,7 @@ public final class EvaluationSummary {
      *
      * @param file a file with one line of answers per participant
      * @return the means
-     * @throws CalledWronglyException if the file cannot be read or parsed; the message names file and line
+     * @throws CalledWronglyException if the file cannot be read or parsed; the message names the file and the line
      */
     public static EvaluationSummary of(Path file) {
         try {

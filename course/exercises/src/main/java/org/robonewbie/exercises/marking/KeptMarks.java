@@ -32,14 +32,14 @@ final class KeptMarks {
      * Opens a folder.
      *
      * @param folder the folder
-     * @param key key of the signatures
+     * @param key key with which grades are signed
      */
     KeptMarks(Path folder, JudgesKey key) {
         this.folder = folder;
         this.key = key;
     }
 
-    /** Content of a file, any field of which may be missing. */
+    /** Contents of a file; any field may be missing. */
     private record Kept(
             @Nullable String fingerprint,
             @Nullable Grade grade,
@@ -109,7 +109,7 @@ final class KeptMarks {
         return key.hasSigned(signedText(submission, kept.signedWith(null)), signature);
     }
 
-    /** Returns the signed text, which includes student and exercise. */
+    /** Returns the signed text, which includes the student and the exercise. */
     private static String signedText(Submission submission, Kept kept) {
         return GSON.toJson(
                 new String[] {submission.student(), submission.exercise().fullName(), GSON.toJson(kept)});

@@ -61,8 +61,8 @@ record SourceShape(Set<String> runs, List<String> numbers) {
     }
 
     /**
-     * Returns the share of the smaller program that is contained in the other one, 0 to 1. N-grams that occur in {@code given},
-     * such as the starter code, are ignored.
+     * Returns the share of the smaller program that also occurs in the larger one, 0 to 1. N-grams that occur in {@code
+     * given}, such as the starter code, are ignored.
      */
     double similarityTo(SourceShape other, SourceShape given) {
         Set<String> own = new HashSet<>(runs);
@@ -100,7 +100,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return rest;
     }
 
-    /** Replaces every name that the program declares with the same placeholder. Names of the framework are kept. */
+    /** Replaces every name that the program declares with the same placeholder. Names from the framework are kept. */
     private static List<String> plain(List<String> words) {
         Set<String> given = new HashSet<>();
         for (int i = 1; i < words.size() - 1; i++) {

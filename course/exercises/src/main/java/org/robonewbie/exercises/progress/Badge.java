@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 
-/** Awards for a student or a team for passed exercises. */
+/** Awards that a student or a team receives for passed exercises. */
 public enum Badge {
     /** One exercise passed. */
     FIRST_SUCCESS("First success", "one exercise passed", Rule.passed("", 1)),
@@ -36,7 +36,7 @@ public enum Badge {
      *
      * @param level level of the exercises that count; empty for all levels
      * @param exercises required number of passed exercises; 0 for all exercises of the level
-     * @param leastPoints minimum of the best points
+     * @param leastPoints required minimum of the best points
      * @param leastTries minimum number of graded tries
      * @param alone whether an exercise counts only if the student opened neither a hint nor a solution
      */

@@ -8,10 +8,10 @@ import java.time.Instant;
  * @param tries number of graded programs
  * @param bestPoints best points of any try, 0 to 10
  * @param passed whether the exercise has been passed
- * @param seconds working time until it was passed; pauses of more than 20 minutes do not count
+ * @param seconds working time in seconds until the exercise was passed; pauses of more than 20 minutes do not count
  * @param hints number of opened hints
  * @param solutionSeen whether a solution was shown
- * @param lastSeen time of the last activity in ISO 8601; empty before the first one
+ * @param lastSeen time of the last activity in ISO 8601 format; empty before the first activity
  */
 public record ExerciseProgress(
         int tries, double bestPoints, boolean passed, long seconds, int hints, boolean solutionSeen, String lastSeen) {

@@ -25,7 +25,7 @@ import org.robonewbie.nao.file.AtomicFile;
  */
 public record ProgressFile(Path file) {
 
-    /** Environment variable with the path of another file; {@code off} disables storing progress. */
+    /** Environment variable that specifies a different progress file; {@code off} disables storing progress. */
     public static final String SWITCH = "ROBONEWBIE_PROGRESS";
 
     private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();

@@ -35,7 +35,7 @@ public final class ProgressService {
     /**
      * The help that is available for an exercise.
      *
-     * @param open the opened hints, in order
+     * @param open the hints opened so far, in the order of the worksheet
      * @param all total number of hints
      * @param solution whether there is a solution that the teacher has not locked
      * @param triesLeft number of graded tries that are still required before the solution is shown
@@ -60,7 +60,7 @@ public final class ProgressService {
      * Records a grade.
      *
      * @param exercise the exercise
-     * @param points mean of the points, 0 to 10
+     * @param points mean points of the trials, 0 to 10
      * @param passed whether all trials have passed
      * @param language language of the advice
      * @return sentences that say what the student can do next; empty after a success

@@ -12,15 +12,15 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * Reference solutions, and the teacher's locks: the file {@code locked.txt} beside them lists the exercises, one per line,
- * whose solutions must not be shown yet. A line with {@code all}, or with a word that is not the name of an exercise, locks all
- * solutions.
+ * Reference solutions, and the teacher's locks: the file {@code locked.txt} in the same folder lists, one per line, the
+ * exercises whose solutions must not be shown yet. A line with {@code all}, or with a word that is not the name of an
+ * exercise, locks all solutions.
  *
  * @param source reads the files of the solutions
  */
 public record SolutionRepository(Source source) {
 
-    /** Environment variable with the folder of the solutions; with {@code off}, no solutions are shown. */
+    /** Environment variable that specifies the folder with the solutions; {@code off} means that no solutions are shown. */
     public static final String SWITCH = "ROBONEWBIE_SOLUTIONS";
 
     /** A repository without solutions. */
@@ -51,7 +51,7 @@ public record SolutionRepository(Source source) {
     public record Answer(boolean open, String text) {}
 
     /**
-     * Returns the solutions of this installation: those in the teachers' zip archive, or those in a source tree.
+     * Returns the solutions of this installation, from the teachers' zip archive or from a source tree.
      *
      * @param home folder of the program; empty if unknown
      * @return the repository
@@ -119,7 +119,7 @@ public record SolutionRepository(Source source) {
      * Checks whether there is a solution that the teacher has not locked.
      *
      * @param exercise the exercise
-     * @return whether it is shown after enough tries
+     * @return whether the solution is shown after enough tries
      */
     public boolean offers(Exercise exercise) {
         try {

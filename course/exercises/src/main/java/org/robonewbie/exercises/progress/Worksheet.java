@@ -15,7 +15,7 @@ import org.robonewbie.exercises.Language;
  * Worksheet of an exercise.
  *
  * @param title the title, without its number
- * @param hints the hints in order, without Markdown markup
+ * @param hints the hints in the order in which they are revealed, without Markdown markup
  */
 public record Worksheet(String title, List<String> hints) {
 

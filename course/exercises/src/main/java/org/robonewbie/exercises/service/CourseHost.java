@@ -9,7 +9,7 @@ import org.robonewbie.exercises.Grade;
 /** Gives the {@link CourseService} access to a student's programs and to the displayed pitch. */
 public interface CourseHost {
 
-    /** The trials of one exercise with consecutive seeds, which the student can watch. */
+    /** Series of trials of one exercise with consecutive seeds. The student can watch them. */
     interface Attempt extends AutoCloseable {
 
         /** {@return the current status} */
@@ -47,7 +47,7 @@ public interface CourseHost {
      * Creates a program unless a file with this name exists.
      *
      * @param file name of the new file
-     * @param text its content
+     * @param text contents of the file
      * @return whether it was created
      * @throws IOException if it cannot be written
      */

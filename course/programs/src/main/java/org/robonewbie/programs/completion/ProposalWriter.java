@@ -9,7 +9,7 @@ import javax.lang.model.element.VariableElement;
 import javax.lang.model.type.TypeMirror;
 import javax.lang.model.util.Elements;
 
-/** Converts elements of the compiler to completion proposals. */
+/** Converts the compiler's program elements to completion proposals. */
 final class ProposalWriter {
 
     private final Elements elements;

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
  *
  * @param types full names by simple name
  * @param constants constants of all enumerations
- * @param methods public methods by simple class name, sorted and without those of {@code Object}
+ * @param methods public methods by simple class name, sorted, excluding the methods of {@code Object}
  */
 public record FrameworkNames(
         Map<String, String> types, Collection<String> constants, Map<String, ? extends Collection<String>> methods) {
@@ -94,7 +94,7 @@ public record FrameworkNames(
         return Optional.ofNullable(types.get(type)).map(name -> "import " + name + ";");
     }
 
-    /** Returns the methods of a class, or those of all classes if the class is unknown. */
+    /** Returns the methods of a class, or the methods of all classes if the class is unknown. */
     List<String> methodsOf(Optional<String> type) {
         return methods.entrySet().stream()
                 .filter(each -> type.map(each.getKey()::equals).orElse(true))

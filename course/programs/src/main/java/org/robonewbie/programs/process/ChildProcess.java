@@ -124,19 +124,21 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Passes the turn from the program to the world or back. The program has the first turn, in which it connects its robot.
+     * Signals that the program and the simulated world swap roles: the one that was waiting computes, and the other one
+     * waits. At first, the world waits for the program to connect its robot.
      */
     public void passTurn() {
         turns.next();
     }
 
-    /** {@return whether the program has completed its first turn, that is, connected its robot} */
+    /** {@return whether the program has connected its robot} */
     public boolean hasJoined() {
         return turns.hasBegun();
     }
 
     /**
-     * {@return how long the world has waited for the program in its current turn, in seconds of computing and sleeping time}
+     * {@return how long the world has been waiting for the program, in seconds that the program has spent computing or
+     * sleeping; 0 while the program waits for the world}
      */
     public double waitedSeconds() {
         return turns.waitedSeconds();

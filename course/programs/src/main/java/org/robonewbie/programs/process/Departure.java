@@ -4,7 +4,7 @@ package org.robonewbie.programs.process;
  * Reason why a robot of a {@link RobotProcess} has left.
  *
  * @param cause the cause
- * @param text the exception, the line of an endless loop, the reason for slowness or the exit code, depending on the
+ * @param text the exception, the line of an infinite loop, the reason for slowness or the exit code, depending on the
  *     cause; may be empty
  * @param advice what to do about it, if that depends on the program; otherwise empty
  */

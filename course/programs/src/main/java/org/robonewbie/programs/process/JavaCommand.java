@@ -8,15 +8,15 @@ import java.util.stream.Stream;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Command lines of Java processes. The processes use the same JVM as this one, and other processes cannot attach to
- * them.
+ * Command lines of Java processes. Each process uses the same Java installation as this process, and other processes cannot
+ * attach to it.
  */
 public final class JavaCommand {
 
     /** Default maximum heap of a program in megabytes. */
     public static final int MEGABYTES = 512;
 
-    /** JVM option for programs that compute little: a faster start, without the optimising compiler. */
+    /** JVM option for programs that compute little: speeds up their start by disabling the optimising compiler. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";

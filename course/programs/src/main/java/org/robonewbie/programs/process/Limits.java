@@ -3,11 +3,11 @@ package org.robonewbie.programs.process;
 /**
  * Resource limits of a program.
  *
- * @param memoryMegabytes memory for its data; for a Java program, the heap
- * @param processorSeconds processor time of all its processes
- * @param silentSeconds maximum response time in seconds, measured as computing and sleeping time if its robots are
- *     alone on the pitch, otherwise as elapsed time
- * @param startSeconds maximum time in seconds to connect its robots, measured in the same way
+ * @param memoryMegabytes memory for the program's data in megabytes; for a Java program, the heap
+ * @param processorSeconds processor time of all processes of the program, in seconds
+ * @param silentSeconds maximum response time in seconds, measured as computing and sleeping time if the program's robots
+ *     are alone on the pitch, otherwise as elapsed time
+ * @param startSeconds maximum time in seconds for connecting the robots, measured in the same way
  * @param realSeconds maximum elapsed time of a trial with two teams, and maximum total sleeping time in other trials, in
  *     seconds
  */
@@ -28,7 +28,7 @@ public record Limits(
     /** No limits, for a program run by its author. */
     public static final Limits NONE = new Limits(Integer.MAX_VALUE, 0, 0, 0, 0);
 
-    /** Memory that a JVM needs in addition to the heap, including shared pages. */
+    /** Memory in megabytes that a JVM needs in addition to the heap, including shared pages. */
     private static final int BESIDE_MEGABYTES = 512;
 
     /** Returns the limit on the resident memory of all processes. */

@@ -31,7 +31,7 @@ final class LinuxProcess {
         return entries(PROCESSES.resolve(pid + "/task")).stream()
                 .map(thread -> read(thread.resolve("stat")))
                 .anyMatch(stat -> {
-                    int state = stat.lastIndexOf(')') + 2; // follows the name, which may contain any character
+                    int state = stat.lastIndexOf(')') + 2; // after the name, which may contain any character
                     return state < stat.length() && "RD".indexOf(stat.charAt(state)) >= 0;
                 });
     }
@@ -46,7 +46,7 @@ final class LinuxProcess {
      *
      * @param ownPort port of this end
      * @param otherPort port of the other end
-     * @return the socket, as file descriptors refer to it, such as {@code socket:[4711]}; empty if there is none
+     * @return the name by which file descriptors refer to the socket, such as {@code socket:[4711]}; empty if there is none
      */
     static Optional<String> socket(int ownPort, int otherPort) {
         String own = String.format(":%04X", ownPort);

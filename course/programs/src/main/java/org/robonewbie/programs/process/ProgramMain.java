@@ -83,7 +83,7 @@ public final class ProgramMain {
 
     /**
      * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the
-     * simulator. For grading, in which each trial has a separate port, it only links the files.
+     * simulator. For grading, in which each trial has a separate port, only links the files.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
@@ -140,7 +140,7 @@ public final class ProgramMain {
     }
 
     /**
-     * Rejects programs that extend the example team, because it would solve exercises that require the students' own
+     * Rejects programs that extend the example team, because that team would solve exercises that require the students' own
      * ideas.
      */
     private static void rejectExampleTeam(Class<?> program) {

@@ -19,7 +19,7 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class ProgressWatchdog {
 
-    /** Interval between calls of {@link #tick} in milliseconds. */
+    /** Interval between calls to {@link #tick} in milliseconds. */
     public static final int TICK_MILLISECONDS = 20;
 
     private static final ThreadMXBean CLOCKS = ManagementFactory.getThreadMXBean();
@@ -66,7 +66,7 @@ public final class ProgressWatchdog {
         }
     }
 
-    /** {@return whether the current step has lasted too long} */
+    /** {@return whether the current step has taken too long} */
     public boolean isExhausted() {
         return processorSeconds() - workedBefore + ticksAsleep * TICK_SECONDS >= SECONDS;
     }

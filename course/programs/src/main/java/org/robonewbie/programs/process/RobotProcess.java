@@ -103,7 +103,7 @@ public final class RobotProcess implements AutoCloseable {
      *
      * @param request the program
      * @param sandbox the sandbox
-     * @param lines receives each line that the process prints, with the prefix {@link #MARK} for those of the program
+     * @param lines receives each line that the process prints; lines printed by the program have the prefix {@link #MARK}
      * @throws IOException if it cannot be started
      */
     public RobotProcess(Request request, Sandbox sandbox, Consumer<String> lines) throws IOException {
@@ -152,7 +152,7 @@ public final class RobotProcess implements AutoCloseable {
         return slowness;
     }
 
-    /** {@return the first lines of the output, such as those of the compiler} */
+    /** {@return the first lines of the output, such as compiler messages} */
     public List<String> lines() {
         return process.output().lines();
     }

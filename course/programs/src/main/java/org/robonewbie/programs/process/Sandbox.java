@@ -126,7 +126,7 @@ public final class Sandbox {
      * Wraps a command so that it runs in the sandbox.
      *
      * @param command the command
-     * @param policy its permissions
+     * @param policy permissions of the command
      * @return the wrapped command
      */
     public List<String> enclose(List<String> command, SandboxPolicy policy) {

@@ -3,14 +3,15 @@ package org.robonewbie.programs.process;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Counts the alternating turns of program and world, and measures how long the world waits for the program. Computation is
- * measured in the program's processor time and sleeping in elapsed time, so the load on the computer does not matter.
+ * Measures how long the simulated world waits for a program. Program and world take turns: while one computes, the other
+ * waits. Computation is measured in the program's processor time and sleeping in elapsed time, so the load on the computer
+ * does not matter.
  */
 final class Turns {
 
     /**
-     * Number of turns so far, which is odd during the program's turn. In its first turn, the program requests its
-     * robot; in later ones, it sends commands.
+     * Number of turns begun so far; odd while the world waits for the program. In its first turn, the program requests its
+     * robot; in later turns, it sends commands.
      */
     private final AtomicLong count = new AtomicLong(1);
 
@@ -20,7 +21,7 @@ final class Turns {
     private double waited;
     private double slept;
 
-    /** Passes the turn. */
+    /** Ends the current turn and begins the next one. */
     void next() {
         count.incrementAndGet();
     }
@@ -49,12 +50,12 @@ final class Turns {
         lastProcessorSeconds = processorSeconds;
     }
 
-    /** Returns the duration of the current turn of the program. */
+    /** Returns the duration of the program's current turn in seconds; 0 during the world's turn. */
     synchronized double waitedSeconds() {
         return waited;
     }
 
-    /** Returns the total time that the program has slept in its turns. */
+    /** Returns the total time in seconds that the program has slept while the world waited for it. */
     synchronized double sleptSeconds() {
         return slept;
     }

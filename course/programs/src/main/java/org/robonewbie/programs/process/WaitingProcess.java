@@ -51,10 +51,10 @@ public final class WaitingProcess implements AutoCloseable {
     /**
      * Starts a program without delay in the JVM that is already running.
      *
-     * @param className its class
-     * @param classes its compiled classes
+     * @param className name of the program's main class
+     * @param classes folder that contains the program's compiled classes
      * @param options arguments for its {@code main}
-     * @return its process
+     * @return the process of the program
      */
     public synchronized ChildProcess start(String className, Path classes, List<String> options) {
         prepare();

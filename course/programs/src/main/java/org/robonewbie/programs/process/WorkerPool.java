@@ -46,8 +46,8 @@ public final class WorkerPool implements AutoCloseable {
      * Runs the program once, in an idle process if there is one, otherwise in a new one.
      *
      * @param options arguments for its {@code main}
-     * @return a sentence that says why it failed, or an empty string after success; an empty {@code Optional} if the user
-     *     terminated the process
+     * @return a sentence that says why the program failed, or an empty string after success; an empty {@code Optional} if
+     *     the user terminated the process
      * @throws IOException if no process can be started
      */
     public Optional<String> run(List<String> options) throws IOException {

@@ -13,8 +13,9 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Generates a Maven or Gradle project for a student. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources
- * and its Javadoc, so the project opens in any IDE, builds offline, and keeps the version it was generated with.
+ * Generates a Maven or Gradle project for a student. Its folder {@code lib} is a Maven repository with RoboNewbie, its
+ * sources and its Javadoc, so the project opens in any IDE, builds offline, and keeps using the version with which it was
+ * generated.
  */
 public final class NewProject {
 
@@ -28,7 +29,7 @@ public final class NewProject {
     private final Path jar;
     private final String version;
 
-    /** Initial content of a project. */
+    /** Initial contents of a project. */
     public enum Origin {
         /** An agent that waves and turns towards the ball. */
         AGENT,
@@ -55,9 +56,9 @@ public final class NewProject {
      * Creates a generator.
      *
      * @param name project name
-     * @param packageName package of its classes
+     * @param packageName package of the project's classes
      * @param tool build tool
-     * @param origin initial content
+     * @param origin initial contents
      * @param jar RoboNewbie's jar; the sources and Javadoc jars beside it are included if they exist
      * @param version RoboNewbie's version
      */

@@ -16,11 +16,11 @@ import org.robonewbie.team.world.WorldModel;
  * <p>Each foot is on the ground half of the time, so while it swings it is at least twice as fast as the robot. A ball that a
  * foot hits at more than 0.8 m/s bounces off. Three measures keep the ball close:
  * <ul>
- * <li>The feet swing at as constant a speed as the motors allow, so a foot is never much faster than twice the robot ({@link
- * #STYLE}).
- * <li>The robot walks slowly enough to brake before a foot hits the ball, which it does at about 0.8 m/s. A ball that is
- * rolling away may be hit at a higher speed.
- * <li>When the ball is rolling away, the robot follows it at a higher speed than it could push it.
+ * <li>The feet swing at as constant a speed as the motors allow, so a foot never moves at much more than twice the speed of
+ * the robot ({@link #STYLE}).
+ * <li>The robot walks slowly enough to brake before a foot hits the ball, so that the foot hits the ball at about 0.8 m/s.
+ * A ball that is rolling away may be hit at a higher speed.
+ * <li>When the ball is rolling away, the robot follows it faster than it would approach a resting ball.
  * </ul>
  */
 public final class CloseDribble {
@@ -47,9 +47,9 @@ public final class CloseDribble {
     }
 
     /**
-     * Creates the skill with different parameters, for a parameter search.
+     * Creates the skill with the given parameters, for a parameter search.
      *
-     * @param walk the walk, with the style of the parameters
+     * @param walk the walk; its style must be the one in {@code numbers}
      * @param feet navigation, which makes the robot walk to positions
      * @param numbers parameters of the skill
      */

@@ -10,16 +10,16 @@ import org.robonewbie.agent.walk.WalkVelocity;
  * commit 020d3efe; the maximum speed, its change and the touch speed were then set by hand.
  *
  * @param style walking style
- * @param touchSpeed speed at which the robot touches a resting ball, metres per second
+ * @param touchSpeed speed at which the robot touches a resting ball, in metres per second
  * @param rollingShare additional speed for each metre per second at which the ball is rolling away
- * @param braking assumed deceleration of the robot, metres per second squared
+ * @param braking assumed deceleration of the robot, in metres per second squared
  * @param touchMetres distance in metres from robot to ball, along the path, when a foot touches the ball
- * @param aheadSeconds prediction time for the ball
+ * @param aheadSeconds prediction time for the ball in seconds
  * @param calmMetres dead band of the lateral correction in metres
  * @param calmDegrees dead band of the heading correction in degrees
  * @param turn turn rate per degree of heading error
  * @param ballTurn turn rate per degree of the ball's bearing to the left
- * @param leastSeconds minimum time for a lateral correction
+ * @param leastSeconds minimum time for a lateral correction in seconds
  * @param behindMetres distance in metres from robot to ball, along the path, at which the lateral correction should be complete
  */
 public record CloseDribbleNumbers(
@@ -49,7 +49,7 @@ public record CloseDribbleNumbers(
     /**
      * Creates parameters from the coordinates of a search.
      *
-     * @param x coordinates of {@link FastWalk}, then one for each further parameter; a change by 1 is noticeable
+     * @param x coordinates of {@link FastWalk}, then one for each further parameter; a change of 1 is noticeable
      * @return the parameters
      */
     public static CloseDribbleNumbers of(double... x) {

@@ -131,7 +131,7 @@ public final class Footwork {
      * makes both robots fall.
      *
      * @param world the world model
-     * @return metres per second
+     * @return speed in metres per second
      */
     public static double speed(WorldModel world) {
         boolean blocked = Stream.concat(
@@ -142,12 +142,12 @@ public final class Footwork {
     }
 
     /**
-     * Estimates the additional time that the robot needs to walk around the ball to the side opposite its target. It is short
-     * if the robot is far away, because the detour is small.
+     * Estimates the additional time that the robot needs to walk around the ball to the side opposite its target. This time
+     * is short if the robot is far away, because the detour is small.
      *
      * @param world the world model
      * @param directionDegrees intended direction of the ball in the coordinates of the team
-     * @return seconds, in addition to the walk to the ball
+     * @return time in seconds, in addition to the walk to the ball
      */
     public static double aroundSeconds(WorldModel world, double directionDegrees) {
         Translation2d way = world.ball().minus(world.place());

@@ -30,7 +30,7 @@ public final class Gaze {
     }
 
     /**
-     * Looks at ball and goal, or scans for the ball.
+     * Looks at the ball and a goal, or scans for the ball.
      *
      * @param world the world model
      */

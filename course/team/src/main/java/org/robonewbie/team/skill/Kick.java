@@ -5,11 +5,11 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * A kick. It is a keyframe motion that begins in the stance with the ball in front of a foot. So the robot walks to the ball
- * and stops; if the ball is then within reach it kicks, otherwise it walks on. With an opponent near, larger deviations are
- * accepted, except in the distance ahead: a ball that already touches the foot rolls only two metres, and one that is too
- * far ahead only one. The last step before the stop moves the robot back a little, so it stops only where the ball will still
- * be within reach.
+ * A kick: a keyframe motion that begins in a standing posture with the ball in front of a foot. So the robot walks to the
+ * ball and stops; if the ball is then within reach it kicks, otherwise it walks on. With an opponent near, larger
+ * deviations are accepted, except in the distance ahead: a ball that already touches the foot rolls only two metres, and a
+ * ball that is too far ahead rolls only one metre. The last step before the stop moves the robot back a little, so it stops
+ * only where the ball will still be within reach.
  */
 public final class Kick {
 
@@ -61,7 +61,7 @@ public final class Kick {
      * @param world the world model
      * @param directionDegrees direction of the kick in the coordinates of the team
      * @param kind kind of kick
-     * @return seconds, in addition to the walk to the ball
+     * @return time in seconds, in addition to the walk to the ball
      */
     public static double seconds(WorldModel world, double directionDegrees, KickKind kind) {
         return kind.seconds() + Footwork.aroundSeconds(world, directionDegrees);

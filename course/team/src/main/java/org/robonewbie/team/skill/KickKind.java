@@ -36,14 +36,14 @@ public enum KickKind {
      * ground and fall.
      *
      * @param type the robot type
-     * @return whether it can
+     * @return whether robots of the type can perform the kick
      */
     public boolean isFor(RobotType type) {
         return this == QUICK || type == RobotType.TYPE_0 || type == RobotType.TYPE_2;
     }
 
     /**
-     * {@return the typical range in metres; for the far kick this is below the mean, because a shot at goal has to reach it}
+     * {@return the typical range in metres; for the far kick this is below the mean, because a shot has to reach the goal}
      */
     public double metres() {
         return this == QUICK ? 5.4 : 13;
@@ -71,8 +71,8 @@ public enum KickKind {
     }
 
     /**
-     * Returns the required position of a ball on the left in the robot's frame. Robots with longer legs need other positions
-     * for the same joint angles.
+     * Returns the required position of a ball on the left, in the robot's frame. Robots with longer legs need the ball
+     * elsewhere for the same joint angles.
      */
     Translation2d ballOnLeft(RobotType type) {
         if (this == FAR) {
@@ -85,7 +85,7 @@ public enum KickKind {
         };
     }
 
-    /** Returns the settling time in seconds between walk and kick; robots with longer legs sway after stopping. */
+    /** Returns the settling time in seconds between the walk and the kick; robots with longer legs sway after stopping. */
     double calmSeconds(RobotType type) {
         return switch (type) {
             case TYPE_1 -> 0.3;

@@ -23,8 +23,8 @@ public final class PathPlanner {
     /**
      * A circular obstacle.
      *
-     * @param centre position
-     * @param radius minimum distance of the robot's centre in metres
+     * @param centre position of the centre
+     * @param radius minimum distance in metres between this position and the robot's centre
      */
     public record Obstacle(Translation2d centre, double radius) {}
 

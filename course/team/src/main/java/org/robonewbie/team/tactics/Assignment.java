@@ -6,9 +6,9 @@ import java.util.Arrays;
  * Assignment of players to positions with minimum total cost, by the Hungarian method.
  *
  * <p>Sending each player to its nearest position does not work, because two players may want the same one, and a greedy
- * choice for one player after another may leave a long path for the last one. With n players there are n! assignments:
- * more than three million for ten players. The method finds the best one in about n³ steps: it adds one player after
- * the other, and moves the previous players to other positions where that is cheaper in total.
+ * choice for one player after another may leave a long path for the last one. With n players there are n! assignments: more
+ * than three million for ten players. The method finds the best one in about n³ steps: it adds the players one by one, and
+ * moves earlier players to other positions where that is cheaper in total.
  *
  * <p>Source: H. W. Kuhn, <em>The Hungarian method for the assignment problem</em>, 1955, in the form with potentials.
  */
@@ -20,8 +20,8 @@ public final class Assignment {
     private final double[] playerPotential;
     private final double[] placePotential;
     /**
-     * For each position, from index 1 on, the player assigned to it; players are counted from 1, and 0 means none.
-     * Element 0 is the player that is being added.
+     * The player assigned to each position. Positions and players are numbered from 1; player 0 means none. Element 0 is
+     * the player that is being added.
      */
     private final int[] playerOf;
 
@@ -42,7 +42,7 @@ public final class Assignment {
      *
      * @param cost cost of each position for each player, as {@code cost[player][position]}; there must be at least as
      *     many positions as players
-     * @return the index of the position of each player
+     * @return for each player, the zero-based index of its position
      */
     public static int[] cheapest(double[][] cost) {
         Assignment assignment = new Assignment(cost);
@@ -98,7 +98,7 @@ public final class Assignment {
         }
     }
 
-    /** Moves each player on the augmenting path to the next position on it, ending at the free position. */
+    /** Moves each player on the augmenting path to the next position on the path, ending at the free position. */
     private void augment(int free) {
         int place = free;
         while (place != 0) {

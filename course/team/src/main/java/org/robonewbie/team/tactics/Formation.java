@@ -8,8 +8,8 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamRole;
 
 /**
- * Positions of the field players that do not play the ball. They depend on the ball, so the whole team moves with it. A team of
- * fewer than eleven fills the positions in the order of their importance.
+ * Positions of the field players that do not play the ball. They depend on the ball, so the whole team moves with it. A
+ * team of fewer than eleven fills the positions in order of importance.
  */
 public final class Formation {
 

@@ -69,7 +69,7 @@ public final class KickChoice {
     /**
      * An option for playing the ball.
      *
-     * @param plan what the player would do
+     * @param plan the plan that the player would follow
      * @param gain expected gain per second
      */
     public record Option(Plan plan, double gain) {}

@@ -24,7 +24,7 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
         DRIBBLE,
         /** Kicks the ball. */
         KICK,
-        /** Kicks the ball with a far kick. */
+        /** Performs a far kick. */
         FAR_KICK,
         /** Waits behind the ball until the receiver is ready. */
         WAIT,
@@ -35,7 +35,7 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
     }
 
     /**
-     * Returns a copy with another action.
+     * Returns a copy with the given action.
      *
      * @param other the action
      * @return the changed plan

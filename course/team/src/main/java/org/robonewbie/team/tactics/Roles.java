@@ -37,7 +37,7 @@ public final class Roles {
      *
      * @param world the world model
      * @param before the player's current role
-     * @param secondsToBall time until the player could play the ball
+     * @param secondsToBall seconds until the player could play the ball
      */
     public Roles(WorldModel world, TeamRole before, double secondsToBall) {
         this.world = world;
@@ -72,7 +72,7 @@ public final class Roles {
      * Returns whether the player is a keeper without teammates, as in a penalty shoot-out.
      *
      * @param world the world model
-     * @return whether it is
+     * @return whether the player is such a keeper
      */
     public static boolean keepsAlone(WorldModel world) {
         return world.mates().isEmpty() && isKeeper(world, world.number());
@@ -111,7 +111,7 @@ public final class Roles {
         return Math.max(0, metres) * Math.max(0, metres);
     }
 
-    /** Returns all players except keeper and striker, sorted by number. */
+    /** Returns all players except the keeper and the striker, sorted by number. */
     private List<Candidate> players() {
         int striker = striker();
         List<Candidate> players = new ArrayList<>();

@@ -70,7 +70,7 @@ public final class SetPlay {
     }
 
     /**
-     * Returns whether another robot has touched the ball: one is close, and the ball will come to rest elsewhere than
+     * Returns whether another robot has touched the ball: a robot is close, and the ball will come to rest elsewhere than
      * predicted.
      */
     private boolean isTouchedByOthers(WorldModel world) {
@@ -101,9 +101,9 @@ public final class SetPlay {
     }
 
     /**
-     * Returns whether the player should request pass mode, which keeps opponents a metre away from the ball for four seconds:
-     * it is about to pass, or to kick from a distance at which it cannot score, and an opponent is approaching. A player
-     * without teammates does not pass. The referee decides.
+     * Returns whether the player should request pass mode, which keeps opponents a metre away from the ball for four
+     * seconds. This is the case if the player is about to pass, or to kick from a distance at which it cannot score, and an
+     * opponent is approaching. A player without teammates does not pass. The referee decides whether to grant the request.
      *
      * @param world the world model
      * @param plan the player's plan
@@ -151,7 +151,7 @@ public final class SetPlay {
      * Returns the remaining time for which the taker of a kick can wait for the receiver.
      *
      * @param world the world model
-     * @return seconds, 0 in open play
+     * @return time in seconds; 0 in open play
      */
     public static double patienceSeconds(WorldModel world) {
         return world.situation() == Situation.OUR_KICK ? Math.max(0, WAIT_SECONDS - world.secondsInSituation()) : 0;

@@ -155,7 +155,7 @@ public final class Strategy {
      * Estimates the time until the player could play the ball, based on the point at which it intercepts the rolling
      * ball and the turns that this requires.
      *
-     * @return seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
+     * @return time in seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
      */
     public double secondsToBall() {
         boolean keeps = Roles.isKeeper(world, world.number())

@@ -29,9 +29,9 @@ import org.robonewbie.nao.geometry.Translation2d;
  * @param fallen whether it has fallen
  * @param role its role
  * @param ball position of the ball in the coordinates of the team
- * @param ballVelocity velocity of the ball, metres per second
+ * @param ballVelocity velocity of the ball in metres per second
  * @param ballAgeSeconds seconds since it last saw the ball, at most {@link #MAX_AGE_SECONDS}
- * @param secondsToBall time until it could play the ball
+ * @param secondsToBall seconds until it could play the ball
  * @param receiver player number of the receiver of a pass; 0 for none
  * @param passTarget target of the pass
  */

@@ -31,7 +31,7 @@ public enum TeamRole {
         this.colour = colour;
     }
 
-    /** {@return the CSS colour of its drawings} */
+    /** {@return the CSS colour for drawings of players with this role} */
     public String colour() {
         return colour;
     }

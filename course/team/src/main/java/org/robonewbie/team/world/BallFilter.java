@@ -4,7 +4,7 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Kalman filter for position and velocity of the ball.
+ * Kalman filter for the position and velocity of the ball.
  *
  * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ
  * (1 − e<sup>−t/τ</sup>) in time t, and v₀ τ in total, where v₀ is its initial speed and τ = 0.677 s. This model is
@@ -46,7 +46,7 @@ public final class BallFilter {
         velocity = Translation2d.ORIGIN;
     }
 
-    /** {@return whether the ball was ever seen} */
+    /** {@return whether the ball has ever been seen} */
     public boolean isKnown() {
         return Double.isFinite(positionVariance);
     }
@@ -110,7 +110,7 @@ public final class BallFilter {
         return velocity.length() < REST_METRES_PER_SECOND ? Translation2d.ORIGIN : velocity;
     }
 
-    /** {@return the standard deviation of the position in metres; infinite if the ball was never seen} */
+    /** {@return the standard deviation of the position in metres; infinite if the ball has never been seen} */
     public double deviation() {
         return Math.sqrt(positionVariance);
     }

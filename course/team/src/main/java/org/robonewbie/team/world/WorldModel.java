@@ -39,7 +39,7 @@ public final class WorldModel {
     private static final double BEGIN_SECONDS = 1;
     private static final int SMALL_TEAM = 8;
 
-    /** Maximum tilt of the torso at which sightings are used; while the robot is falling they are unreliable. */
+    /** Maximum tilt of the torso at which sightings are used; sightings are unreliable while the robot is falling. */
     private static final double UPRIGHT_DEGREES = 15;
 
     private final SelfLocalisation self = new SelfLocalisation();
@@ -101,7 +101,7 @@ public final class WorldModel {
         }
     }
 
-    /** Detects a robot that was placed in its goal, at the start of the program or before a game. */
+    /** Detects that the robot was placed in its goal, at the start of the program or before a game. */
     private void detectStartInGoal() {
         boolean begins = !placed || seconds - lineUpSeconds < BEGIN_SECONDS;
         if (self.isKnown() && begins) {
@@ -202,7 +202,7 @@ public final class WorldModel {
         return seconds;
     }
 
-    /** {@return the robot's own number} */
+    /** {@return the player number of the robot} */
     public int number() {
         return number;
     }
@@ -327,7 +327,7 @@ public final class WorldModel {
      * Returns the distance to the nearest upright opponent.
      *
      * @param spot a point
-     * @return metres; infinite if no opponent is in sight
+     * @return distance in metres; infinite if no opponent is in sight
      */
     public double opponentDistance(Translation2d spot) {
         return uprightOpponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);

@@ -44,7 +44,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates a response from bytes that are not a versioned file.
      *
      * @param type the media type
-     * @param content the content
+     * @param content the body
      * @return the response
      */
     public static Answer of(String type, byte[] content) {
@@ -54,7 +54,7 @@ public record Answer(int status, String type, byte[] content, String version) {
     /**
      * Creates a response from a file, with its version.
      *
-     * @param content content of the file
+     * @param content contents of the file
      * @return the response
      */
     public static Answer file(byte[] content) {

@@ -104,7 +104,7 @@ public abstract class ApiHandler extends Handler.Abstract {
      * @param request the request
      * @param maxBytes maximum size
      * @param what subject of the error message for a body that is too large, such as {@code A program}
-     * @return the content
+     * @return the body
      * @throws IOException if the connection fails
      */
     protected static byte[] body(Request request, int maxBytes, String what) throws IOException {

@@ -14,7 +14,7 @@ public final class FileVersion {
     /**
      * Computes the version; equal bytes have equal versions.
      *
-     * @param content content of the file
+     * @param content contents of the file
      * @return hexadecimal digits
      */
     public static String of(byte[] content) {

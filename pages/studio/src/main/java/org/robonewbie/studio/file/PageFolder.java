@@ -55,7 +55,7 @@ public abstract class PageFolder {
      */
     public abstract Path file(String path) throws IOException;
 
-    /** {@return the noun for files of this folder in messages, such as "motion"} */
+    /** {@return the noun that messages use for the files in this folder, such as "motion"} */
     protected abstract String kind();
 
     /**
@@ -80,7 +80,7 @@ public abstract class PageFolder {
      * Reads a file.
      *
      * @param path path as used by pages
-     * @return its content; empty if there is no such file
+     * @return the contents; empty if there is no such file
      * @throws UnreadableFileException if it is not a regular file, too large, or unreadable
      * @throws IOException if the path cannot be resolved
      */
@@ -90,10 +90,10 @@ public abstract class PageFolder {
     }
 
     /**
-     * Writes a file if it has not changed since the writer last read it, or if it already has this content.
+     * Writes a file if it has not changed since the writer last read it, or if it already has these contents.
      *
      * @param path path as used by pages
-     * @param content its new content
+     * @param content the new contents
      * @param knownVersion the version that the writer has read; empty if the file must not exist yet
      * @return the new version
      * @throws RefusedException if the file has changed since then
@@ -125,7 +125,7 @@ public abstract class PageFolder {
      * Writes a file unless it has changed since the writer last read it. A deleted file is written again.
      *
      * @param path path as used by pages
-     * @param content its new content
+     * @param content the new contents
      * @param knownVersion the version that the writer has read; empty if it has read none
      * @return the new version
      * @throws RefusedException if the file has changed since then
@@ -136,10 +136,10 @@ public abstract class PageFolder {
     }
 
     /**
-     * Writes a file regardless of its previous content.
+     * Writes a file regardless of its previous contents.
      *
      * @param path path as used by pages
-     * @param content its new content
+     * @param content the new contents
      * @throws IOException if it cannot be written
      */
     public synchronized void overwrite(String path, byte[] content) throws IOException {
@@ -166,7 +166,7 @@ public abstract class PageFolder {
      * Deletes a file if it has the given version.
      *
      * @param path path as used by pages
-     * @param version the version; a file with another version is kept
+     * @param version the version; a file with a different version is kept
      * @throws IOException if it cannot be deleted
      */
     public synchronized void remove(String path, String version) throws IOException {

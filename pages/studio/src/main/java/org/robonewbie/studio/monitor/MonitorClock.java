@@ -60,7 +60,7 @@ final class MonitorClock {
         return cycle;
     }
 
-    /** Returns the approximate number of simulated seconds per second. */
+    /** Returns the estimated real-time factor: simulated seconds per second of real time. */
     double realTimeFactor() {
         return realTimeFactor;
     }

@@ -24,9 +24,9 @@ import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * Converts a log of monitor messages to a recording. Reads {@code sparkmonitor.log} from rcssserver3d and from our
- * simulator, with one message per line, and RoboViz logs. Either may be compressed with gzip. Cycles between two
- * messages are interpolated, because such logs contain only five states per second.
+ * Converts a log of monitor messages to a recording. Reads {@code sparkmonitor.log} from rcssserver3d and from RoboNewbie's
+ * simulator, with one message per line, and RoboViz logs. Logs may be compressed with gzip. Cycles between two messages are
+ * interpolated, because such logs contain only five states per second.
  */
 public final class MonitorLogReader {
 

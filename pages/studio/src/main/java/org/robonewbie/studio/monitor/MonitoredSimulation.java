@@ -149,7 +149,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
         }
     }
 
-    /** Resets ball, clock and score to the start of the game; robots stay where they are. */
+    /** Resets the ball, the clock and the score to the start of the game; robots stay where they are. */
     private void reset() {
         send(
                 new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),

@@ -24,10 +24,10 @@ final class MotionFolder extends PageFolder {
     }
 
     /**
-     * Content of the folder.
+     * Contents of the folder.
      *
      * @param entries the motions in alphabetical order
-     * @param leftOut one message for each file that was left out
+     * @param leftOut one message for each file that was omitted
      */
     record Listing(List<Entry> entries, List<String> leftOut) {}
 

@@ -59,7 +59,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     /**
      * Plays a motion file.
      *
-     * @param text content of the file
+     * @param text contents of the file
      * @param start the name of a {@link Start} in lower case
      * @return the result as JSON
      * @throws RefusedException if the text is not a valid motion or is too long, or if the start is unknown

@@ -16,7 +16,7 @@ public interface Arena {
      */
     Moment keep();
 
-    /** Resets robots, ball, time and score. */
+    /** Resets the robots, the ball, the time and the score. */
     void reset();
 
     /** Resumes the clock; programs can join only while it runs. */

@@ -36,17 +36,17 @@ public interface CompilerService {
     /**
      * Compiles a possibly unsaved program together with the other files in its folder.
      *
-     * @param file its current or future file
-     * @param text content of the editor
-     * @return the diagnostics, in the order of the text
+     * @param file the file in which the program is or will be saved
+     * @param text text in the editor
+     * @return the diagnostics, in the order of their positions in the text
      */
     List<Remark> check(Path file, String text);
 
     /**
      * Returns completion proposals.
      *
-     * @param file the current or future file of the program
-     * @param text content of the editor
+     * @param file the file in which the program is or will be saved
+     * @param text text in the editor
      * @param at index of the cursor
      * @return the proposals, most likely first
      */

@@ -21,7 +21,7 @@ public record RunningProgram(ChildProcess process, TemporaryFolder classes) impl
         return process.isRunning();
     }
 
-    /** {@return exit code of the process; 0 while it runs} */
+    /** {@return the exit code of the process; 0 while it runs} */
     public int exitCode() {
         return process.exitCode().orElse(0);
     }

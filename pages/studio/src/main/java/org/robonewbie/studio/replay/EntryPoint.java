@@ -11,9 +11,9 @@ import java.util.zip.InflaterInputStream;
 /**
  * Random-access point in a compressed recording.
  *
- * @param packedAt offset of the following compressed bytes in the file
- * @param unpackedAt number of uncompressed bytes before it
- * @param firstMoment index of the first cycle after it
+ * @param packedAt offset in the file at which the compressed bytes after this point begin
+ * @param unpackedAt number of uncompressed bytes before this point
+ * @param firstMoment index of the first cycle after this point
  * @param content compressed decoder state: records that describe the world at this point, and the preceding window of bytes
  */
 @SuppressWarnings("ArrayRecordComponent")

@@ -22,9 +22,9 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.file.RecordingGroup;
 
 /**
- * Index of a recording, which lets a page start reading at any cycle. Built once by reading the whole recording, and
- * stored as {@code NAME.index} next to large ones. The index of a recording in progress grows with it. The recording
- * itself is never changed.
+ * Index of a recording, which lets a page start reading at any cycle. Built once by reading the whole recording, and stored
+ * as {@code NAME.index} next to large recordings. The index of a recording in progress grows with it. The recording itself
+ * is never changed.
  */
 final class RecordingIndex {
 
@@ -81,7 +81,7 @@ final class RecordingIndex {
         }
     }
 
-    /** Returns whether a file is still the indexed one. */
+    /** Returns whether a file is still the recording that was indexed. */
     synchronized boolean fits(Path recording) throws IOException {
         long size = Files.size(recording);
         boolean isLongEnough =
@@ -204,7 +204,7 @@ final class RecordingIndex {
         }
     }
 
-    /** Identifies a recording by its first and last bytes; the last ones contain the gzip checksum. */
+    /** Computes a fingerprint of a recording from its first and last bytes; the last bytes contain the gzip checksum. */
     private static long fingerprint(Path recording, long size) throws IOException {
         CRC32 sum = new CRC32();
         sum.update(bytesAt(recording, 0, FINGERPRINT_BYTES));

@@ -28,7 +28,7 @@ import org.robonewbie.studio.file.PathPart;
  *
  * <pre>
  * GET /api/recordings                 all recordings with their metadata, the newest first
- * GET /api/cards/NAME                 summary: teams, score, length, events, and the trails of ball and robots
+ * GET /api/cards/NAME                 summary: teams, score, length, events, and the trails of the ball and the robots
  * GET /api/index/NAME                 the summary and the first cycle of each piece; returns immediately, even if incomplete
  * GET /api/index/NAME?events=M&amp;pieces=N    only what follows the first M events and N pieces
  * GET /api/pieces/NAME?piece=N&amp;skip=M   the N-th piece without its first M bytes

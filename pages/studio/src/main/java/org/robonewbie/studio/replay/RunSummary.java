@@ -7,8 +7,8 @@ import java.util.Map;
 /**
  * Summary of a recording for its preview card, and the data that a page needs to open it at any cycle.
  *
- * @param count number of its cycles
- * @param firstCycle simulation cycle of its first frame
+ * @param count number of cycles
+ * @param firstCycle simulation cycle of the first frame
  * @param left name of the left team, empty if there was none
  * @param right name of the right team, empty if there was none
  * @param score final score of the left and the right team
@@ -37,7 +37,7 @@ record RunSummary(
     /**
      * Trail of a robot.
      *
-     * @param side side of its team: 0 for no team, 1 for the left one, 2 for the right one
+     * @param side side of its team: 0 for no team, 1 for the left team, 2 for the right team
      * @param places x and y in metres, sampled at equal intervals while the robot is present
      */
     record Way(int side, List<List<Double>> places) {}
@@ -45,7 +45,7 @@ record RunSummary(
     /**
      * An event in the recording.
      *
-     * @param index index of the cycle in the recording
+     * @param index zero-based index of the cycle in the recording
      * @param kind goal, foul, playmode or fall
      * @param text description from the recording
      */

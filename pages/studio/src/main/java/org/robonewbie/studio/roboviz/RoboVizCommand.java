@@ -29,8 +29,8 @@ sealed interface RoboVizCommand {
     /**
      * Shows text above a robot, without buffering.
      *
-     * @param side its team
-     * @param number its player number
+     * @param side team of the robot
+     * @param number player number of the robot
      * @param colour colour such as {@code #ff8800}
      * @param text the text; empty removes it
      */

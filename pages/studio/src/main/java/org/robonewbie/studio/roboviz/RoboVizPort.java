@@ -29,7 +29,7 @@ public final class RoboVizPort implements AutoCloseable {
     /**
      * Starts receiving drawings.
      *
-     * @param port UDP port of 127.0.0.1, 0 for any free one
+     * @param port UDP port on 127.0.0.1, 0 for any free one
      * @param board receives the drawings
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do

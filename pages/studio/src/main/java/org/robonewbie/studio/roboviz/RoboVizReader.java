@@ -9,8 +9,8 @@ import java.util.Locale;
 import org.robonewbie.nao.TeamSide;
 
 /**
- * Parser of RoboViz's drawing protocol. Numbers are six ASCII characters, colours three bytes, texts zero-terminated
- * UTF-8. As in RoboViz, the rest of a datagram is discarded after the first malformed command.
+ * Parser of RoboViz's drawing protocol. Numbers are encoded as six ASCII characters, colours as three bytes, and texts as
+ * zero-terminated UTF-8. As in RoboViz, the rest of a datagram is discarded after the first malformed command.
  */
 final class RoboVizReader {
 

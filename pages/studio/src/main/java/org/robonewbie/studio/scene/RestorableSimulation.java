@@ -22,7 +22,8 @@ public interface RestorableSimulation {
 
     /**
      * Restores a checkpoint and pauses the clock. The restoration is exact if the checkpoint has an exact state and the
-     * same robots are playing; otherwise it is approximate. Puppets replace robots that have left.
+     * same robots are playing; otherwise it is approximate. Manually controlled robots (puppets) replace robots that have
+     * left.
      *
      * @param moment the checkpoint
      * @return how exact the restoration is

@@ -25,7 +25,7 @@ import org.robonewbie.studio.file.PathPart;
  * POST /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
  * </pre>
  *
- * <p>The last two return whether the state is exact and how many agents have restored their own states.
+ * <p>The last two requests return whether the state is exact and how many agents have restored their own states.
  */
 public final class SceneApi extends ApiHandler {
 

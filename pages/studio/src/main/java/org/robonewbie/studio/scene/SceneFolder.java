@@ -70,7 +70,10 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** Replaces the files in an order that never pairs a scene with the exact state of another one, even if the process is killed. */
+    /**
+     * Replaces the files in an order that never pairs a scene with the exact state of a different scene, even if the
+     * process is killed.
+     */
     private static void replace(Path scene, boolean hasState) throws IOException {
         Files.deleteIfExists(exact(scene));
         AtomicFile.moveIntoPlace(scene);
@@ -123,7 +126,7 @@ record SceneFolder(Path folder) implements SceneStore {
     }
 
     /**
-     * Loads the exact state. If it is missing or has another version, the scene can still be restored approximately.
+     * Loads the exact state. If it is missing or has a different version, the scene can still be restored approximately.
      */
     private static Optional<WorldState> exactState(Path scene) throws IOException {
         try {

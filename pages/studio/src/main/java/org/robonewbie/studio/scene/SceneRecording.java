@@ -48,7 +48,7 @@ final class SceneRecording {
 
         @Override
         public void close() {
-            // The content remains readable.
+            // The contents remain readable.
         }
     }
 

@@ -12,7 +12,10 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.state.WorldState;
 
-/** In-memory store of scenes with a persistent backing store, such as a browser's. A scene is a recording and the exact state, as bytes. */
+/**
+ * In-memory store of scenes with a persistent backing store, such as the browser's storage. A scene consists of a recording
+ * and the exact state, both as bytes.
+ */
 public final class SceneRepository implements SceneStore {
 
     private final TreeMap<String, byte[]> scenes = new TreeMap<>();
@@ -95,7 +98,7 @@ public final class SceneRepository implements SceneStore {
     }
 
     /**
-     * Returns the exact state. If it is missing or has another version, the scene can still be restored approximately.
+     * Returns the exact state. If it is missing or has a different version, the scene can still be restored approximately.
      */
     private static Optional<WorldState> state(byte[] exact) {
         try {

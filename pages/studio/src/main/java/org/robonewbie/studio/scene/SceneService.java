@@ -74,7 +74,7 @@ public final class SceneService {
      * Continues the simulation from a cycle of a recording.
      *
      * @param recording the recording, positioned before its first cycle
-     * @param moment index of the cycle, from 0
+     * @param moment zero-based index of the cycle
      * @param why end of the error message if there is no such cycle
      * @return what was restored, as one JSON object
      * @throws IOException if the recording cannot be read

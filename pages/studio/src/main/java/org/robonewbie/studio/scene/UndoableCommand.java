@@ -5,7 +5,7 @@ import java.io.IOException;
 /** A change to the world or to a file that can be undone. */
 public interface UndoableCommand {
 
-    /** {@return description such as "ball moved"} */
+    /** {@return a description such as "ball moved"} */
     String name();
 
     /**

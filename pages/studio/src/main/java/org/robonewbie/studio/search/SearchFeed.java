@@ -14,9 +14,9 @@ public final class SearchFeed extends EventBus {
     private final JsonArray rounds = new JsonArray();
 
     /**
-     * Creates a feed without rounds.
+     * Creates a feed for a search that has not completed a round.
      *
-     * @param task what is optimised, and how
+     * @param task description of the optimisation
      */
     public SearchFeed(SearchTask task) {
         super("search", "optimise.html");

@@ -32,7 +32,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     private final Future<?> painting;
 
     /**
-     * Creates the wall of a contest that has not started.
+     * Creates the overview page of a contest that has not started.
      *
      * @param title the contest's title
      * @param rule the rules, in one or two sentences

@@ -34,7 +34,7 @@ public final class CompilerInPage {
     /**
      * Loads the class libraries.
      *
-     * @param library concatenated files, each as its name, its size in bytes, and its content
+     * @param library concatenated files, each as its name, its size in bytes, and its contents
      * @throws IOException never
      */
     @JSExport
@@ -80,7 +80,7 @@ public final class CompilerInPage {
     /**
      * Returns a diagnostic as tab-separated fields: kind, file, line, first and last character, hint, and message.
      *
-     * @param index index of the diagnostic, from 0
+     * @param index zero-based index of the diagnostic
      * @return the diagnostic
      */
     @JSExport
@@ -95,7 +95,7 @@ public final class CompilerInPage {
     /**
      * Computes completion proposals for an added file and removes all added files.
      *
-     * @param path the file
+     * @param path path of the file
      * @param at index of the cursor
      * @return the number of proposals
      */
@@ -127,7 +127,7 @@ public final class CompilerInPage {
      * program's own source contains no documentation, that field is empty and two more follow: the class name and the
      * key of the documentation.
      *
-     * @param index index of the proposal, from 0
+     * @param index zero-based index of the proposal
      * @return the proposal
      */
     @JSExport
@@ -151,7 +151,7 @@ public final class CompilerInPage {
     /**
      * Returns a compiled class file.
      *
-     * @param index index of the class file in the order of {@link #classFiles}, from 0
+     * @param index zero-based index of the class file in the order of {@link #classFiles}
      * @return the class file
      */
     @JSExport

@@ -57,7 +57,7 @@ final class MemoryFile implements JavaFileObject {
         return content;
     }
 
-    /** {@return its content as UTF-8 text} */
+    /** {@return its contents as UTF-8 text} */
     String text() {
         return new String(content, StandardCharsets.UTF_8);
     }

@@ -8,12 +8,12 @@ import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 /** TeaVM policy that keeps everything that students' programs may call accessible by reflection. */
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
-    /** Set while the module without students' programs is being compiled. */
+    /** Whether the module without students' programs is being compiled. */
     private static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
 
     /**
-     * Excluded methods: those that connect to a simulator, which the page replaces, and those that let threads wait for
-     * each other.
+     * Excluded methods: methods that connect to a simulator, for which the page has replacements, and methods that let
+     * threads wait for each other.
      */
     private static final Set<String> OTHERWISE =
             Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");

@@ -22,8 +22,8 @@ public final class MessageDigest implements Cloneable {
     /**
      * Creates a digest.
      *
-     * @param algorithm SHA-256
-     * @return a digest without input
+     * @param algorithm name of the algorithm, which must be SHA-256
+     * @return a digest that has received no input
      * @throws NoSuchAlgorithmException for other algorithms
      */
     public static MessageDigest getInstance(String algorithm) throws NoSuchAlgorithmException {

@@ -1,6 +1,6 @@
 package org.robonewbie.web.library.java.time;
 
-/** Subset of {@link java.time.Instant} for the times of students' progress, in milliseconds. */
+/** Subset of {@link java.time.Instant} for the timestamps of students' progress, with millisecond precision. */
 public final class Instant {
 
     private final long millis;
@@ -17,7 +17,7 @@ public final class Instant {
     /**
      * Parses a time.
      *
-     * @param text time in ISO 8601
+     * @param text time in ISO 8601 format
      * @return the time
      */
     public static Instant parse(CharSequence text) {
@@ -28,12 +28,12 @@ public final class Instant {
         return new Instant((long) millis);
     }
 
-    /** {@return milliseconds since 1970 in UTC} */
+    /** {@return the number of milliseconds since the epoch, 1970-01-01T00:00:00Z} */
     public long toEpochMilli() {
         return millis;
     }
 
-    /** {@return the time in ISO 8601} */
+    /** {@return the time in ISO 8601 format} */
     @Override
     public String toString() {
         return IsoTime.format(millis);

@@ -10,11 +10,11 @@ final class IsoTime {
 
     private IsoTime() {}
 
-    /** Returns the milliseconds since 1970 of a time in ISO 8601, or NaN if the text is not a valid time. */
+    /** Converts a time in ISO 8601 format to milliseconds since the epoch; returns NaN if the text is not a valid time. */
     @JSBody(params = "text", script = "return Date.parse(text);")
     static native double parse(String text);
 
-    /** Formats the milliseconds since 1970 in ISO 8601. */
+    /** Converts milliseconds since the epoch to a time in ISO 8601 format. */
     @JSBody(params = "millis", script = "return new Date(millis).toISOString();")
     static native String format(double millis);
 }

@@ -10,7 +10,7 @@ record Decimal(String digits, int point) {
 
     private static final int SMALLEST_FIXED = -4;
 
-    /** {@return the shortest decimal number that identifies a double} */
+    /** {@return the shortest decimal number that uniquely identifies a double} */
     static Decimal of(double number) {
         String text = Double.toString(number);
         int e = text.indexOf('E');
@@ -25,7 +25,7 @@ record Decimal(String digits, int point) {
         return new Decimal(all.substring(zeros), point + exponent - zeros);
     }
 
-    /** Rounds to a number of significant digits. */
+    /** Rounds to the given number of significant digits. */
     private Decimal rounded(int count) {
         if (count >= digits.length()) {
             return this;
@@ -49,7 +49,7 @@ record Decimal(String digits, int point) {
         return new Decimal(digits.substring(0, nines - 1) + raised + "0".repeat(digits.length() - nines), point);
     }
 
-    /** Formats in fixed-point notation with a number of decimal places. */
+    /** Formats in fixed-point notation with the given number of decimal places. */
     String fixed(int precision) {
         Decimal near = rounded(point + precision);
         if (near.digits.isEmpty()) {
@@ -62,7 +62,7 @@ record Decimal(String digits, int point) {
         return withPoint(padded.substring(0, before), padded.substring(before, before + precision));
     }
 
-    /** Formats in scientific notation with a number of decimal places. */
+    /** Formats in scientific notation with the given number of decimal places. */
     String scientific(int precision) {
         Decimal near = rounded(precision + 1);
         String all = near.digits + "0".repeat(Math.max(0, precision + 1 - near.digits.length()));
@@ -74,7 +74,7 @@ record Decimal(String digits, int point) {
                 + power;
     }
 
-    /** Formats with a number of significant digits, in scientific notation if the number is very large or small. */
+    /** Formats with the given number of significant digits, in scientific notation if the number is very large or small. */
     String general(int precision) {
         int count = Math.max(1, precision);
         Decimal near = rounded(count);

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Format specifier such as {@code %-8.2f}.
  *
- * @param index index of the argument, from 1; 0 for the next one, -1 for the previous one
- * @param flags those of {@code -#+ 0,(} that are set
+ * @param index one-based index of the argument; 0 for the next argument, -1 for the previous one
+ * @param flags the flags that are set, a subset of {@code -#+ 0,(}
  * @param width minimum number of characters
  * @param precision number of digits or characters; -1 if not given
  * @param conversion the conversion character

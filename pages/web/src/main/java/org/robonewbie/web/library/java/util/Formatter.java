@@ -32,7 +32,7 @@ public final class Formatter implements Closeable, Flushable {
     }
 
     /**
-     * Creates a formatter with a destination.
+     * Creates a formatter that writes to a destination.
      *
      * @param destination receives the text
      */
@@ -41,7 +41,7 @@ public final class Formatter implements Closeable, Flushable {
     }
 
     /**
-     * Creates a formatter with a destination.
+     * Creates a formatter that writes to a destination.
      *
      * @param destination receives the text
      * @param locale ignored
@@ -68,7 +68,7 @@ public final class Formatter implements Closeable, Flushable {
      * @param format a string with specifiers such as {@code %.2f}
      * @param arguments the values
      * @return this formatter
-     * @throws IllegalArgumentException if format and values do not match
+     * @throws IllegalArgumentException if the format and the values do not match
      */
     public Formatter format(String format, @Nullable Object... arguments) {
         int next = 0;

@@ -13,7 +13,7 @@ public final class PageMotionFiles implements MotionSource {
 
     private PageMotionFiles() {}
 
-    /** {@return the available motions: those of the page and the shipped ones} */
+    /** {@return the available motions: the user's motions and the shipped motions} */
     public static MotionLibrary library() {
         return new MotionLibrary(new PageMotionFiles(), new ShippedMotions());
     }
