@@ -161,6 +161,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void programIsChangedWhileItRunsAndTheWorldGoesOn() throws IOException {
         visit();
@@ -179,6 +180,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void sliderActsOnTheRunningRobotAndIsWrittenIntoTheProgram() throws IOException {
         visit();

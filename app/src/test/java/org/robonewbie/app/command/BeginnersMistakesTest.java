@@ -97,6 +97,7 @@ class BeginnersMistakesTest {
                 .doesNotContain("    at ");
     }
 
+    @Tag("slow")
     @Test
     void fieldsThatCannotBePreparedAreNamedWithTheirLine() throws Exception {
         Ended instance = agent("Fields", "int[] numbers = new int[-1];", "");
@@ -138,6 +139,7 @@ class BeginnersMistakesTest {
                 .contains("Hint: Count cycles or compare nao.getTime() instead.");
     }
 
+    @Tag("slow")
     @Test
     void damagedProgressIsSaidOnceAndKept() throws Exception {
         Files.writeString(folder.resolve("progress.json"), "{\"version\": 1, \"exercises\": {\"raise-a");

@@ -259,6 +259,7 @@ class MotionPageTest {
         assertThat(frames()).isEqualTo(1);
     }
 
+    @Tag("slow")
     @Test
     void physicalRobotFallsWhenTheMotionThrowsItOver() throws IOException {
         openFile("200 " + STANDING.replaceFirst("25 -50 25", "90 -50 60").replaceFirst("25 -50 25", "90 -50 60")

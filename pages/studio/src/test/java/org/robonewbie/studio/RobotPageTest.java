@@ -83,6 +83,7 @@ class RobotPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void robotShowsItsTelemetry() {
         pause();

@@ -51,6 +51,7 @@ class TeamProgramsTest {
     }
 
     /** A team that plays from the folder in which it has its program would else copy results that are being written. */
+    @Tag("slow")
     @Test
     void resultsOfContestsInTheFolderOfATeamAreNoPartOfIt() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
@@ -87,6 +88,7 @@ class TeamProgramsTest {
         assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "my.team.Striker");
     }
 
+    @Tag("slow")
     @Test
     void rolesMayHaveClassesOfTheirOwn() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
@@ -184,6 +186,7 @@ class TeamProgramsTest {
         assertThat(((TeamProgram.Broken) program).complaint()).isNotBlank();
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void compilerNamesTheFileThatTheTeamKnows(Place place) throws IOException {
@@ -231,6 +234,7 @@ class TeamProgramsTest {
         assertThat(process.waitFor()).isZero();
     }
 
+    @Tag("slow")
     @Test
     void mistakesOfTheTeamAreKeptForItsLog() throws IOException {
         write("red/Striker.java", "class Striker { int x = ; }");
@@ -241,6 +245,7 @@ class TeamProgramsTest {
         assertThat(((TeamProgram.Broken) program).complaint()).contains("Striker.java");
     }
 
+    @Tag("slow")
     @Test
     void changedProgramIsNoticed() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
@@ -301,6 +306,7 @@ class TeamProgramsTest {
         assertThat(find("Green=./run.sh {port}", "Green.folder=green")).isInstanceOf(TeamProgram.OfCommand.class);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"UTF-8", "UTF-16LE", "windows-1252"})
     void programsOfAnyEditorCompile(String encoding) throws IOException {
