@@ -89,7 +89,8 @@ public record Policy(
         if (different >= 0) {
             throw new IllegalArgumentException(
                     "The policy \"" + task + "\" has " + at(found, different) + " as " + kind + " " + (different + 1)
-                            + " where " + at(wanted, different) + " is needed. Is it for another task?");
+                            + " where " + at(wanted, different) + " is needed. Was the policy trained for another"
+                            + " task?");
         }
     }
 
