@@ -84,7 +84,7 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
 
 def main(words=None):
     """Runs the command line."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy in comparison with zero actions.")
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy and compares it with zero actions.")
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
     parser.add_argument("policy", nargs="?", type=Path, help="policy file; if omitted, only zero actions are evaluated")
     parser.add_argument("--n-eval-episodes", type=int, default=128, help="number of episodes (default: 128)")

@@ -82,7 +82,7 @@ def options_of(words):
 
 def _arguments(words):
     parser = argparse.ArgumentParser(
-        prog="python -m robonewbie.train", description="Trains a task by PPO. Parameters have the names of Stable-Baselines3."
+        prog="python -m robonewbie.train", description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3."
     )
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
     parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (default: 300000)")

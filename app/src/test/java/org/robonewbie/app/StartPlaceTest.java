@@ -66,7 +66,7 @@ class StartPlaceTest {
 
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
-                .contains("has letters that cannot be decoded, " + ADVICE)
+                .contains("contains letters that cannot be decoded, " + ADVICE)
                 .hasLineCount(1);
         assertThat(folder).isEmptyDirectory();
         assertThat(filesIn(temporary)).containsExactly(folder);

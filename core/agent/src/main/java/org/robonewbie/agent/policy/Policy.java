@@ -61,7 +61,7 @@ public record Policy(
     public double[] numbers(String name, int count) {
         List<Double> found = numbers.getOrDefault(name, List.of());
         if (found.size() != count) {
-            throw new IllegalArgumentException("The policy \"" + task + "\" needs " + count + " numbers \"" + name
+            throw new IllegalArgumentException("The policy \"" + task + "\" needs " + count + " numbers named \"" + name
                     + "\", but has " + found.size() + ".");
         }
         return found.stream().mapToDouble(Double::doubleValue).toArray();
