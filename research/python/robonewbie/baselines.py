@@ -126,8 +126,8 @@ def row(task, policies):
 def main(words=None):
     """Runs the command line."""
     parser = argparse.ArgumentParser(prog="python -m robonewbie.baselines", description="Reproduces the baselines of docs/policies.md.")
-    parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"any of {', '.join(TASKS)} (all)")
-    parser.add_argument("--out", type=Path, default=Path("baselines"), help="folder of policies and curves (baselines)")
+    parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"any of {', '.join(TASKS)} (default: all)")
+    parser.add_argument("--out", type=Path, default=Path("baselines"), help="folder of policies and curves (default: baselines)")
     wanted = parser.parse_args(words)
     unknown = set(wanted.tasks) - set(TASKS)
     if unknown:

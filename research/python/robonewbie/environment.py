@@ -44,7 +44,7 @@ class SimulatedTask:
 
     def _connect(self, task, count, reward, render_mode, options):
         if render_mode is not None and render_mode not in RENDER_MODES:
-            raise ValueError(f'There is no render_mode "{render_mode}". Available: {", ".join(RENDER_MODES)}; or omit it.')
+            raise ValueError(f'There is no render_mode "{render_mode}". Available: {", ".join(RENDER_MODES)}; or omit the argument.')
         self.render_mode = render_mode
         self._options = options
         self._changed = False
@@ -104,7 +104,7 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         self._arguments = {"task": task, "reward": reward, "render_mode": render_mode, **options}
         self.observation_space, self.action_space = self._connect(task, 1, reward, render_mode, options)
         if len(self.description["robots"]) > 1:
-            raise RoboNewbieError(f"In {task} several robots learn. Use robonewbie.parallel.parallel_env(\"{task}\").")
+            raise RoboNewbieError(f"{task} trains several robots. Use robonewbie.parallel.parallel_env(\"{task}\").")
         self.range_degrees = self.description["rangeDegrees"]
         self.cycles = options.get("cycles", 1)
 

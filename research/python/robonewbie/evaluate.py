@@ -84,11 +84,11 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
 
 def main(words=None):
     """Runs the command line."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy in comparison with zero actions.")
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy and compares it with zero actions.")
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
-    parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only zero actions are evaluated")
-    parser.add_argument("--n-eval-episodes", type=int, default=128, help="number of episodes (128)")
-    parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"seed of the first episode ({FIRST_SEED})")
+    parser.add_argument("policy", nargs="?", type=Path, help="policy file; if omitted, only zero actions are evaluated")
+    parser.add_argument("--n-eval-episodes", type=int, default=128, help="number of episodes (default: 128)")
+    parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"seed of the first episode (default: {FIRST_SEED})")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2")
     wanted = parser.parse_args(words)
     policies = {"zero actions": None}

@@ -52,7 +52,7 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
             raise RoboNewbieError("The match is over. Call reset().")
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
-            raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action of each robot.")
+            raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action for every robot.")
         rows = np.stack([actions[agent] for agent in self.possible_agents])
         observation, reward, terminated = self._connection.act(STEP, 0, rows)
         truncated = self._connection.state == TRUNCATED

@@ -22,7 +22,7 @@ def description(folder):
     try:
         return json.loads(file.read_text(encoding="utf-8"))
     except FileNotFoundError:
-        raise ValueError(f"{folder} holds no data set of robonewbie record: {file} is missing.") from None
+        raise ValueError(f"{folder} contains no data set of robonewbie record: {file} is missing.") from None
     except ValueError as damaged:
         raise ValueError(f"{file} cannot be read: {damaged}.") from None
 
@@ -52,7 +52,7 @@ def convert(folder, report=print):
     facts = {name: value for name, value in known.items() if isinstance(value, str)}
     tables = [(file, table) for table in known["tables"].values() for file in sorted(folder.glob(table["files"]))]
     if not tables:
-        raise ValueError(f"{folder} holds no table yet.")
+        raise ValueError(f"{folder} contains no table yet.")
     for number, (file, table) in enumerate(tables, start=1):
         target = (folder / "parquet" / file.relative_to(folder)).with_suffix(".parquet")
         rows = read(file, table["columns"]).replace_schema_metadata(facts)

@@ -27,7 +27,7 @@ _START_SECONDS = 600  # the first start builds the program
 _TIMEOUT_SECONDS = 60
 _MIN_JAVA = 17
 _HOW_TO_GET_JAVA = (
-    "Install Java 17 or newer, for example from https://adoptium.net, and if it is installed already, set JAVA_HOME to its folder."
+    "Install Java 17 or newer, for example from https://adoptium.net; if it is already installed, set JAVA_HOME to its folder."
 )
 
 
@@ -190,7 +190,7 @@ def _text(name, value):
         return repr(float(value))
     except (TypeError, ValueError):
         raise RoboNewbieError(
-            f'The option "{name}" is {value!r}. Give a number, or for a range a pair of numbers such as (0.5, 2).'
+            f'The option "{name}" is {value!r}. Pass a number, or a pair of numbers such as (0.5, 2) for a range.'
         ) from None
 
 
@@ -264,7 +264,7 @@ class Connection:
         except TimeoutError as silent:
             self.close()
             raise RoboNewbieError(
-                f"The simulator has not answered for {_TIMEOUT_SECONDS} s. Is it stopped, or the computer overloaded? "
+                f"The simulator has not answered for {_TIMEOUT_SECONDS} s. Has it been stopped, or is the computer overloaded? "
                 "Create the environment again."
             ) from silent
         except OSError as broken:

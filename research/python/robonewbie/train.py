@@ -82,26 +82,26 @@ def options_of(words):
 
 def _arguments(words):
     parser = argparse.ArgumentParser(
-        prog="python -m robonewbie.train", description="Trains a task by PPO. Parameters have the names of Stable-Baselines3."
+        prog="python -m robonewbie.train", description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3."
     )
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
-    parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (300000)")
-    parser.add_argument("--n-envs", type=int, default=64, help="number of parallel robots (64)")
-    parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot per update (64)")
-    parser.add_argument("--batch-size", type=int, default=512, help="minibatch size (512)")
-    parser.add_argument("--n-epochs", type=int, default=10, help="epochs per update (10)")
-    parser.add_argument("--learning-rate", type=float, default=3e-4, help="initial learning rate, which decreases linearly to 0 (0.0003)")
-    parser.add_argument("--gamma", type=float, default=0.99, help="discount factor (0.99)")
-    parser.add_argument("--gae-lambda", type=float, default=0.95, help="factor of generalized advantage estimation (0.95)")
-    parser.add_argument("--log-std-init", type=float, default=math.log(0.1), help="initial log standard deviation of actions, or with gSDE of each weight's noise (-2.3)")
-    parser.add_argument("--sde-sample-freq", type=int, default=-1, help="use gSDE and sample new noise every N actions (no gSDE)")
-    parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="size of each hidden layer; empty for none (64 64)")
-    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of the policy's inputs (all observed quantities)")
-    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of the critic's inputs in addition to the time (all observed quantities)")
-    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2, friction=0.7..1.3")
-    parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (1)")
-    parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
-    parser.add_argument("--resume", action="store_true", help="resume an interrupted training")
+    parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (default: 300000)")
+    parser.add_argument("--n-envs", type=int, default=64, help="number of parallel robots (default: 64)")
+    parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot per update (default: 64)")
+    parser.add_argument("--batch-size", type=int, default=512, help="minibatch size (default: 512)")
+    parser.add_argument("--n-epochs", type=int, default=10, help="epochs per update (default: 10)")
+    parser.add_argument("--learning-rate", type=float, default=3e-4, help="initial learning rate, which decreases linearly to 0 (default: 0.0003)")
+    parser.add_argument("--gamma", type=float, default=0.99, help="discount factor (default: 0.99)")
+    parser.add_argument("--gae-lambda", type=float, default=0.95, help="factor of generalised advantage estimation (default: 0.95)")
+    parser.add_argument("--log-std-init", type=float, default=math.log(0.1), help="initial log standard deviation of the actions or, with gSDE, of each weight's noise (default: -2.3)")
+    parser.add_argument("--sde-sample-freq", type=int, default=-1, help="use gSDE and sample new noise every N actions (default: no gSDE)")
+    parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="size of each hidden layer; empty for none (default: 64 64)")
+    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="pattern for the names of the policy's inputs (default: all observed quantities)")
+    parser.add_argument("--critic", default=".*", metavar="REGEX", help="pattern for the names of the critic's inputs, in addition to the time (default: all observed quantities)")
+    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2 or friction=0.7..1.3")
+    parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
+    parser.add_argument("--out", type=Path, help="file of the policy (default: TASK.policy)")
+    parser.add_argument("--resume", action="store_true", help="resume an interrupted training run")
     wanted = parser.parse_args(words)
     wanted.options = options_of(wanted.option)
     wanted.cycles = int(wanted.options.get("cycles", 1))
@@ -242,13 +242,13 @@ def main(words=None):
     wanted.out = wanted.out or Path(f"{wanted.task}.policy")
     model = wanted.out.with_name(wanted.out.name + ".zip")
     if model.exists() and not wanted.resume:
-        sys.exit(f"There is already a training in {model}. Resume it with --resume, or choose another --out.")
+        sys.exit(f"A training run already exists in {model}. Resume it with --resume, or choose another file with --out.")
     if wanted.resume and not model.exists():
-        sys.exit(f"There is nothing to resume: {model} does not exist. Omit --resume to start a new training.")
+        sys.exit(f"There is nothing to resume: {model} does not exist. Omit --resume to start a new training run.")
     training = Training(wanted)
     training.run()
     training.task.close()
-    print(f"Written to {training.out}.")
+    print(f"The policy was written to {training.out}.")
 
 
 if __name__ == "__main__":

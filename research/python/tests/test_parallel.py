@@ -37,7 +37,7 @@ class ParallelTest(unittest.TestCase):
         with self.assertRaisesRegex(RoboNewbieError, "no action for right_1"):
             match.step({"left_1": np.zeros(12)})
         match.close()
-        with self.assertRaisesRegex(RoboNewbieError, "several robots learn"):
+        with self.assertRaisesRegex(RoboNewbieError, "trains several robots"):
             RoboNewbieEnv("Match1v1")
 
 

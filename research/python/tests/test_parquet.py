@@ -63,7 +63,7 @@ class ParquetTest(unittest.TestCase):
         refused = subprocess.run(command, capture_output=True, text=True)
 
         self.assertEqual(refused.returncode, 1)
-        self.assertRegex(refused.stderr, r"^\S+cycles holds no data set of robonewbie record: \S+dataset.json is missing.\n$")
+        self.assertRegex(refused.stderr, r"^\S+cycles contains no data set of robonewbie record: \S+dataset.json is missing.\n$")
 
 
 if __name__ == "__main__":

@@ -153,7 +153,7 @@ class TrainTest(unittest.TestCase):
                 train.main(["Reach", "--out", str(out), "--resume"])
             words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--sde-sample-freq", "4", "--net-arch", "16", "16", "--out", str(out)]
             train.main([*words, "--total-timesteps", "64"])
-            with self.assertRaisesRegex(SystemExit, r"There is already a training in .*\. Resume it with --resume"):
+            with self.assertRaisesRegex(SystemExit, r"A training run already exists in .*\. Resume it with --resume"):
                 train.main([*words, "--total-timesteps", "64"])
             train.main([*words, "--total-timesteps", "256", "--resume"])
 

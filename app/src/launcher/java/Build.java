@@ -142,7 +142,7 @@ final class Build {
 
     private static void stop() {
         ProcessHandle.current().descendants().forEach(ProcessHandle::destroy);
-        System.err.println(System.lineSeparator() + "The build was stopped. The next start repeats it.");
+        System.err.println(System.lineSeparator() + "The build was stopped. It will be repeated at the next start.");
     }
 
     /** Prints a progress line and updates it during the build; without a terminal, prints it only once. */
@@ -181,14 +181,14 @@ final class Build {
         err.println();
         String lower = all.toLowerCase(Locale.ROOT);
         if (all.contains("COMPILATION ERROR")) {
-            err.println("What to do: correct the Java file at the line of the first ERROR. \"git diff\" shows your"
+            err.println("What to do: correct the Java file at the line given in the first ERROR. \"git diff\" shows your"
                     + " changes.");
         } else if (Stream.of("could not transfer", "unknown host", "failed to fetch", "connect", "could not resolve")
                 .anyMatch(lower::contains)) {
-            err.println("What to do: the first build needs the internet, later ones do not. Check the connection (and the"
+            err.println("What to do: the first build needs the internet; later builds do not. Check the connection (and the"
                     + " proxy) and try again.");
         } else {
-            err.println("What to do: read the first ERROR above. \"./mvnw clean\" and a new start often help.");
+            err.println("What to do: read the first ERROR above. Running \"./mvnw clean\" and starting again often helps.");
         }
         err.println("The full output is in " + log);
     }

@@ -66,7 +66,7 @@ class StartPlaceTest {
 
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
-                .contains("has letters that cannot be decoded, " + ADVICE)
+                .contains("contains letters that cannot be decoded, " + ADVICE)
                 .hasLineCount(1);
         assertThat(folder).isEmptyDirectory();
         assertThat(filesIn(temporary)).containsExactly(folder);
@@ -119,9 +119,7 @@ class StartPlaceTest {
                 start("C.UTF-8", List.of(), temporary, "run", "Agent_Wave", "--headless", "--fast", "--seconds", "0.2");
 
         assertThat(ended.exitCode()).isEqualTo(2);
-        assertThat(ended.said())
-                .contains(
-                        "--seconds 0.2 ended before the robot was in the game; joining takes about 0.3 s. Use at least 1.");
+        assertThat(ended.said()).contains("--seconds 0.2 is too short: joining takes about 0.3 s. Use at least 1.");
     }
 
     @Test

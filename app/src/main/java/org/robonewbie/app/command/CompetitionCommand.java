@@ -63,7 +63,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
-            "Exit code: 0 if all teams played, 1 if the files of a team were refused and only the others played.",
+            "Exit code: 0 if all teams played, 1 if a team's files were rejected and only the other teams played.",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
                     + " command. A teams file lists one team per line. docs/competition.md explains the details and"
@@ -95,7 +95,7 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "Folder for results (default: competition-CONTEST).")
     private Optional<Path> results = Optional.empty();
 
-    @Option(names = "--seed", paramLabel = "S", description = "Seed of all random numbers (default: 1).")
+    @Option(names = "--seed", paramLabel = "S", description = "Seed for all random numbers (default: 1).")
     private long seed = 1;
 
     @Option(names = "--vary", description = "Vary the start positions with the seed; they are the same for all teams.")
@@ -104,7 +104,8 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--seconds",
             paramLabel = "T",
-            description = "Simulated seconds (default: scoring 180, penalties 30, matches and league 300).")
+            description = "Length of each trial in simulated seconds (default: scoring 180, penalties 30, matches and"
+                    + " league 300).")
     private Optional<Double> seconds = Optional.empty();
 
     @Option(
@@ -134,13 +135,13 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--patience",
             paramLabel = "T",
-            description = "Seconds that a program may delay the simulation (default: ${DEFAULT-VALUE}).")
+            description = "Seconds by which a program may delay the simulation (default: ${DEFAULT-VALUE}).")
     private double silentSeconds = Limits.DEFAULT.silentSeconds();
 
     @Option(
             names = "--computing-time",
             paramLabel = "T",
-            description = "Seconds of processor time per program and trial (default: ${DEFAULT-VALUE}).")
+            description = "Processor time limit per program and trial, in seconds (default: ${DEFAULT-VALUE}).")
     private double processorSeconds = Limits.DEFAULT.processorSeconds();
 
     @Mixin
@@ -193,7 +194,7 @@ final class CompetitionCommand implements Callable<Integer> {
             return ExitCode.OK;
         }
         System.err.println(
-                "Refused: " + String.join(", ", refused) + ". The reasons are printed above; all other teams played."
+                "Rejected: " + String.join(", ", refused) + ". The reasons are printed above; all other teams played."
                         + " Fix the files and run the same command again to let them play.");
         return ExitCode.SOFTWARE;
     }

@@ -40,7 +40,7 @@ final class DoctorCommand implements Callable<Integer> {
     public Integer call() {
         return course
                 ? report(Checkup.ofRoom(headless), "This computer is ready for the course.")
-                : report(Checkup.of(headless), "All is well. Start with: robonewbie demo");
+                : report(Checkup.of(headless), "No problems were found. Start with: robonewbie demo");
     }
 
     private static int report(Checkup checkup, String success) {
@@ -53,8 +53,8 @@ final class DoctorCommand implements Callable<Integer> {
         System.out.println(
                 switch (worst) {
                     case WELL -> word.in(success);
-                    case NOTABLE -> "RoboNewbie works, with limitations: see the lines with \"look\".";
-                    case BROKEN -> "Something must be fixed first: see the lines with FAIL.";
+                    case NOTABLE -> "RoboNewbie works, with limitations: see the lines marked \"look\".";
+                    case BROKEN -> "Something must be fixed first: see the lines marked FAIL.";
                 });
         return worst == Verdict.BROKEN ? ExitCode.SOFTWARE : ExitCode.OK;
     }

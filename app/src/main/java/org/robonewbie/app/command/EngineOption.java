@@ -51,6 +51,6 @@ final class EngineOption {
                 .filter(other -> other.label().equals(engine))
                 .findFirst()
                 .orElseThrow(() -> new CalledWronglyException("There is no engine \"" + engine
-                        + "\" in this program. Use local; for spark see docs/cluster.md."));
+                        + "\" in this program. Use local; for spark, see docs/cluster.md."));
     }
 }

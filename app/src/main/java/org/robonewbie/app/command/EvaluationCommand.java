@@ -11,12 +11,12 @@ import picocli.CommandLine.Parameters;
 /** Summarises the evaluation forms of a course. */
 @Command(
         name = "evaluation",
-        description = "Summarise the evaluation forms of a course by the participants' experience.",
+        description = "Summarise the evaluation forms of a course, grouped by the participants' experience.",
         footer = {
             "",
             "Examples:",
             "  robonewbie evaluation answers.csv",
-            "The form is docs/teaching/evaluation-form.md."
+            "The form is in docs/teaching/evaluation-form.md."
         })
 final class EvaluationCommand implements Callable<Integer> {
 

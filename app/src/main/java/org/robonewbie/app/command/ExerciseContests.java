@@ -27,7 +27,7 @@ final class ExerciseContests {
      */
     static ChallengeContest of(Exercise exercise, int rounds, Conditions conditions) {
         String rule = exercise.goal() + " " + rounds + (rounds == 1 ? " trial" : " trials") + " of 0 to "
-                + Score.MAX_POINTS + " points; the most points win, equal points share a place.";
+                + Score.MAX_POINTS + " points; the most points win, and teams with equal points share a place.";
         return new ChallengeContest(
                 "exercise-" + exercise.name(),
                 "Exercise " + exercise.number() + ": " + exercise.title(),

@@ -22,8 +22,8 @@ final class FenceOption {
     @Option(
             names = "--fence",
             paramLabel = "WHEN",
-            description = "Run programs in a bubblewrap sandbox (Linux): auto if available, required, or none"
-                    + " (${DEFAULT-VALUE}).")
+            description = "Run programs in a bubblewrap sandbox (Linux): auto if available, required, or none (default:"
+                    + " ${DEFAULT-VALUE}).")
     private When fence = When.AUTO;
 
     /**
@@ -37,8 +37,8 @@ final class FenceOption {
         }
         Sandbox found = Sandbox.find();
         if (fence == When.REQUIRED && !found.isUp()) {
-            throw new CalledWronglyException("There is no sandbox: " + found.absence()
-                    + ". Install the package bubblewrap, or remove --fence required.");
+            throw new CalledWronglyException("No sandbox is available: " + found.absence()
+                    + ". Install the bubblewrap package, or omit --fence required.");
         }
         return found;
     }

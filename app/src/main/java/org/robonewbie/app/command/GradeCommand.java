@@ -38,7 +38,7 @@ import picocli.CommandLine.Parameters;
 /** Grades solutions of exercises, lists the exercises, and writes starter code. */
 @Command(
         name = "grade",
-        description = "Grade your solution of an exercise. Without arguments it lists the exercises.",
+        description = "Grade your solution to an exercise. Without arguments, list the exercises.",
         footer = {
             "",
             "Examples:",
@@ -50,8 +50,8 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade kick Kick.java --language de   findings and hints in German",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "  robonewbie grade kick --hint              reveal the next hint",
-            "  robonewbie grade kick --solution          show a solution, after three tries",
-            "  robonewbie grade --progress               passed, best points, tries, working time, badges",
+            "  robonewbie grade kick --solution          show a solution, after three attempts",
+            "  robonewbie grade --progress               passed, best points, attempts, working time, badges",
             "  robonewbie grade --progress --csv anna.csv --name Anna   the table for your teacher",
             "  robonewbie grade --progress anna.json ben.json   the progress of a team",
             "  robonewbie grade --class submissions      grade a class: one folder for each student",
@@ -83,13 +83,13 @@ final class GradeCommand implements Callable<Integer> {
     @Option(names = "--start", description = "Write the starter code into the current folder.")
     private boolean start;
 
-    @Option(names = "--hint", description = "Show the revealed hints of the worksheet and reveal the next one.")
+    @Option(names = "--hint", description = "Show the hints revealed so far, and reveal the next one.")
     private boolean hint;
 
     @Option(
             names = "--solution",
             description =
-                    "Show a solution, after three graded tries, if solutions are installed and your teacher has not"
+                    "Show a solution, after three graded attempts, if solutions are installed and your teacher has not"
                             + " locked this one (" + SolutionRepository.SWITCH + ").")
     private boolean solutionWanted;
 
@@ -197,7 +197,7 @@ final class GradeCommand implements Callable<Integer> {
     private int gradeClass(Path folder) throws IOException {
         if (solution.isPresent()) {
             throw new CalledWronglyException("\"" + solution.get()
-                    + "\" is unexpected: --class grades the programs of the folder " + folder + ".");
+                    + "\" is unexpected: --class grades the programs in the folder " + folder + ".");
         }
         List<Exercise> wanted =
                 exerciseName.map(name -> List.of(exercise(name))).orElseGet(Exercises::all);
@@ -277,7 +277,7 @@ final class GradeCommand implements Callable<Integer> {
 
     private static String list(Language spoken, Progress progress) {
         List<String> lines = new ArrayList<>();
-        lines.add("The exercises are" + (progress.exercises().isEmpty() ? ":" : ", with your best points:"));
+        lines.add("The exercises" + (progress.exercises().isEmpty() ? ":" : ", with your best points:"));
         for (Exercise exercise : Exercises.all()) {
             lines.add(String.format(
                     Locale.ROOT,

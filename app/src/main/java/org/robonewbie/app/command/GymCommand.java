@@ -19,8 +19,8 @@ import picocli.CommandLine.Option;
         description = {
             "Serve environments to learning programs. The Python package starts this command automatically.",
             "",
-            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends. docs/gym-protocol.md describes"
-                    + " the messages."
+            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input is closed. docs/gym-protocol.md"
+                    + " describes the messages."
         },
         footer = {
             "",

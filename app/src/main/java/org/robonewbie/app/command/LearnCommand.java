@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "learn",
         description = {
-            "Train a policy for a task with an evolution strategy, or evaluate one.",
+            "Train a policy for a task with an evolution strategy, or evaluate a policy.",
             "",
             "Each generation writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to FILE.checkpoint."
                     + " To resume an interrupted search, run the same command again."
@@ -61,41 +61,53 @@ final class LearnCommand implements Callable<Integer> {
             index = "1",
             arity = "0..1",
             paramLabel = "FILE",
-            description = "Policy file (TASK.policy); with --evaluate also \"shipped\" or \"none\".")
+            description = "Policy file (default: TASK.policy); with --evaluate, also \"shipped\" or \"none\".")
     private @Nullable String file;
 
-    @Option(names = "--generations", paramLabel = "N", description = "Number of generations (500).")
+    @Option(names = "--generations", paramLabel = "N", description = "Number of generations (default: 500).")
     private int generations = 500;
 
-    @Option(names = "--pairs", paramLabel = "N", description = "Antithetic pairs of candidates in a generation (16).")
+    @Option(
+            names = "--pairs",
+            paramLabel = "N",
+            description = "Antithetic pairs of candidates per generation (default: 16).")
     private int pairs = 16;
 
-    @Option(names = "--sigma", paramLabel = "X", description = "Standard deviation of candidates (0.05).")
+    @Option(names = "--sigma", paramLabel = "X", description = "Standard deviation of the candidates (default: 0.05).")
     private double sigma = 0.05;
 
-    @Option(names = "--learning-rate", paramLabel = "X", description = "Step size of the mean per generation (0.01).")
+    @Option(
+            names = "--learning-rate",
+            paramLabel = "X",
+            description = "Step size of the mean per generation (default: 0.01).")
     private double learningRate = 0.01;
 
     @Option(
             names = "--option",
             paramLabel = "NAME=VALUE",
-            description = "Task option, such as noise=0.5 or push=10; docs/gym-protocol.md lists them all.")
+            description = "Task option, such as noise=0.5 or push=10; docs/gym-protocol.md lists all options.")
     private List<String> options = List.of();
 
     @Option(
             names = "--inputs",
             paramLabel = "REGEX",
-            description =
-                    "Pattern for the names of the network's inputs (all observed quantities except joint angles).")
+            description = "Pattern for the names of the network's inputs (default: all observed quantities except joint"
+                    + " angles).")
     private String inputs = PolicyModel.DEFAULT_INPUTS;
 
-    @Option(names = "--hidden", paramLabel = "N", description = "Hidden neurons; 0 for no hidden layer (16).")
+    @Option(
+            names = "--hidden",
+            paramLabel = "N",
+            description = "Number of hidden neurons; 0 for no hidden layer (default: 16).")
     private int hidden = PolicyModel.DEFAULT_HIDDEN;
 
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
-    @Option(names = "--seed", paramLabel = "S", description = "The same seed gives the same policy (1).")
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            description = "Random seed; the same seed gives the same policy (default: 1).")
     private long seed = 1;
 
     @Option(
@@ -107,7 +119,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--evaluate",
             paramLabel = "EPISODES",
-            description = "Evaluate the policy in this number of episodes instead of training.")
+            description = "Evaluate the policy in this many episodes instead of training.")
     private @Nullable Integer evaluate;
 
     @Override
@@ -138,7 +150,7 @@ final class LearnCommand implements Callable<Integer> {
         EvolutionStrategy strategy = new EvolutionStrategy(seed, pairs, sigma, learningRate);
         PolicySearch search = new PolicySearch(model, strategy, output);
         search.run(generations, Optional.ofNullable(start).map(from -> policy(model, from)), System.out::println);
-        System.out.println("Written to " + output + "; the learning curve is in " + search.curve() + ".");
+        System.out.println("Wrote the policy to " + output + " and the learning curve to " + search.curve() + ".");
     }
 
     private static Policy policy(PolicyModel model, String name) {

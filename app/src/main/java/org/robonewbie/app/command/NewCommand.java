@@ -47,7 +47,7 @@ final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--package",
             paramLabel = "PACKAGE",
-            description = "Package of your classes (default: from the name).")
+            description = "Package of your classes (default: derived from the name).")
     private String packageName = "";
 
     @Option(names = "--build", paramLabel = "TOOL", description = "Build tool: maven or gradle (default: maven).")
@@ -79,8 +79,8 @@ final class NewCommand implements Callable<Integer> {
         }
         ClassPath.obstacle(project).ifPresent(character -> {
             throw new CalledWronglyException(
-                    "Maven, Gradle and Java's tools cannot build a project in a folder whose path contains"
-                            + " the character \"" + character + "\": " + project.toAbsolutePath()
+                    "Maven, Gradle and the Java tools cannot build a project in a folder whose path contains the"
+                            + " character \"" + character + "\": " + project.toAbsolutePath()
                             + ". Create it in another folder.");
         });
         Path jar = ownJar();

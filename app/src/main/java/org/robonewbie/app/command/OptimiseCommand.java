@@ -33,7 +33,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "optimise",
         description = {
-            "Optimise the numbers of a motion, the walk engine or an agent by trials in the simulator (CMA-ES).",
+            "Optimise the numbers of a motion, the walk engine or an agent through trials in the simulator (CMA-ES).",
             "",
             "Objectives: distance-walked, walk-speed, energy, stability, standing-time, get-up-time, kick-distance,",
             "time-to-score, or a custom class that implements Measure.",
@@ -87,7 +87,7 @@ final class OptimiseCommand implements Callable<Integer> {
 
     @Option(
             names = "--plain",
-            description = "CMA-ES without negative weights or restarts, as for the library's motions.")
+            description = "Use CMA-ES without negative weights or restarts, as for the library's motions.")
     private boolean plain;
 
     @Option(
@@ -123,7 +123,7 @@ final class OptimiseCommand implements Callable<Integer> {
 
     @Option(
             names = "--both-sides",
-            description = "Also write the mirrored motion for the other side, next to the output.")
+            description = "Also write the mirrored motion for the other side, next to the result file.")
     private boolean bothSides;
 
     @Option(names = "--resume", description = "Resume an interrupted run from its file OUTPUT.checkpoint.")
@@ -144,14 +144,15 @@ final class OptimiseCommand implements Callable<Integer> {
     private int optimise() throws IOException, InterruptedException {
         if (!where.isLocal() && agent.isSourceFile()) {
             throw new CalledWronglyException(
-                    "A cluster cannot run a source file. Compile it, name its class after --agent, and send its jar to the"
-                            + " workers (docs/cluster.md).");
+                    "A cluster cannot run a source file. Compile it, pass the name of its class to --agent, and send"
+                            + " its jar to the workers (docs/cluster.md).");
         }
         if (agent.isGiven() != name.isEmpty()) {
-            throw new CalledWronglyException("Name one thing to optimise: a motion, walk-engine, or --agent CLASS.");
+            throw new CalledWronglyException(
+                    "Name exactly one subject to optimise: a motion, walk-engine, or --agent CLASS.");
         }
         if (objective.isEmpty()) {
-            throw new CalledWronglyException("Name the measure to optimise " + plainName()
+            throw new CalledWronglyException("Name the measure for optimising " + plainName()
                     + ": --objective NAME. Available: " + Objective.labels() + ".");
         }
         Objective wanted = agent.objective(objective);

@@ -21,8 +21,8 @@ public final class OptimisedAgent {
     @Option(
             names = "--agent",
             paramLabel = "CLASS",
-            description = "Optimise the numbers that an agent declares with number(...). The agent is the name of"
-                    + " an example, your class, or a .java file.")
+            description = "Optimise the numbers that an agent declares with number(...). The agent can be given as the"
+                    + " name of an example, the name of your class, or a .java file.")
     private Optional<String> program = Optional.empty();
 
     @Option(
@@ -43,14 +43,14 @@ public final class OptimisedAgent {
             names = "--spread",
             paramLabel = "METRES",
             defaultValue = "0.2",
-            description = "With --agent: largest random offset of robot and ball in each trial (default: 0.2).")
+            description = "With --agent: maximum random offset of the robot and the ball in each trial (default: 0.2).")
     private double spread;
 
     @Option(
             names = "--seconds",
             paramLabel = "T",
             defaultValue = "20",
-            description = "With --agent: simulated length of a trial (default: 20).")
+            description = "With --agent: length of a trial in simulated seconds (default: 20).")
     private double seconds;
 
     @Mixin

@@ -49,7 +49,8 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     private static String messageOf(Exception exception) {
         String message = Optional.ofNullable(exception.getMessage()).orElse(exception.toString());
         if (exception instanceof AccessDeniedException) {
-            return "Permission denied: " + message + ". Change to a folder that you may read and write.";
+            return "Permission denied: " + message + ". Change to a folder for which you have read and write"
+                    + " permission.";
         }
         if (exception instanceof NoSuchFileException) {
             return "There is no file or folder " + message + ".";

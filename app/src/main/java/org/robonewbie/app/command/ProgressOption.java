@@ -26,10 +26,10 @@ final class ProgressOption {
             fallbackValue = "-",
             paramLabel = "FILE",
             description = {
-                "Show your progress: passed exercises, best points, tries, working time, badges; or that of a team, given the progress"
-                        + " files of its members.",
+                "Show your progress: passed exercises, best points, attempts, working time, badges. Given the progress"
+                        + " files of a team's members, show the team's progress instead.",
                 "Your file is .robonewbie/progress.json in your home folder; it is never sent anywhere. The environment variable "
-                        + ProgressFile.SWITCH + " selects another file, or \"off\"."
+                        + ProgressFile.SWITCH + " selects another file; if it is \"off\", no progress is stored."
             })
     private List<Path> files = List.of();
 
@@ -39,7 +39,7 @@ final class ProgressOption {
     @Option(
             names = "--name",
             paramLabel = "NAME",
-            description = "With --progress: the name in the table (default: your account).")
+            description = "With --progress: the name in the table (default: your account name).")
     private String name = System.getProperty("user.name", "");
 
     boolean isGiven() {
@@ -62,7 +62,7 @@ final class ProgressOption {
         for (Path file : files) {
             if (!Files.isRegularFile(file)) {
                 throw new CalledWronglyException("There is no file " + file
-                        + ". Each member of the team has one: .robonewbie/progress.json in the home folder.");
+                        + ". Each team member's file is .robonewbie/progress.json in the home folder.");
             }
             ProgressFile member = new ProgressFile(file);
             if (member.isDamaged()) {

@@ -27,7 +27,8 @@ import picocli.CommandLine.Parameters;
             "Run an agent many times and write a data set.",
             "Its CSV tables contain perception, commands, ground truth and game events. docs/datasets.md"
                     + " explains the columns, how to read them, and how to convert them to Parquet.",
-            "Runs use all cores; this does not affect the tables. The table of runs lists failed runs with the reason.",
+            "Runs use all cores; this does not affect the tables. The table of runs lists each failed run with the"
+                    + " reason.",
             "Repeat the command to resume an interrupted recording."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
@@ -53,34 +54,43 @@ final class RecordCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "AGENT",
-            description = "Example, class or .java file; then, after --, its options.")
+            description = "An example, a class or a .java file; its options follow after --.")
     private List<String> agentAndOptions = List.of();
 
-    @Option(names = "--runs", paramLabel = "N", description = "Number of runs (1).")
+    @Option(names = "--runs", paramLabel = "N", description = "Number of runs (default: 1).")
     private int runs = 1;
 
     @Option(
             names = "--seed",
             paramLabel = "S",
-            description = "Seed of the first run; the next runs have S+1, S+2, ... (1).")
+            description = "Seed of the first run; the next runs use S+1, S+2, ... (default: 1).")
     private long seed = 1;
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of each run (60).")
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            description = "Length of each run in simulated seconds (default: 60).")
     private double seconds = 60;
 
-    @Option(names = "--out", paramLabel = "FOLDER", description = "A new folder for the data set (dataset).")
+    @Option(names = "--out", paramLabel = "FOLDER", description = "New folder for the data set (default: dataset).")
     private Path folder = Path.of("dataset");
 
     @Option(names = "--messages", description = "Add the messages between simulator and robot as text.")
     private boolean messages;
 
-    @Option(names = "--runs-per-file", paramLabel = "N", description = "Join the tables of N runs into one file (1).")
+    @Option(
+            names = "--runs-per-file",
+            paramLabel = "N",
+            description = "Join the tables of N runs into one file (default: 1).")
     private int runsPerFile = 1;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Number of parallel runs (one per core).")
+    @Option(names = "--threads", paramLabel = "N", description = "Number of parallel runs (default: one per core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = "--robots", paramLabel = "N", description = "Number of robots of the program, 1 to 22 (1).")
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            description = "Number of robots that the program runs, 1 to 22 (default: 1).")
     private int robots = 1;
 
     @Mixin
@@ -142,7 +152,8 @@ final class RecordCommand implements Callable<Integer> {
     private int end(DataSet set) throws IOException {
         if (set.runs() == runs) {
             set.finish(runsPerFile);
-            System.out.println("Written to the folder " + folder + ". Its dataset.json explains the columns.");
+            System.out.println(
+                    "The data set was written to the folder " + folder + ". Its dataset.json explains the columns.");
         } else {
             set.endEarly();
             System.err.println(set.runs() + " of " + runs + " runs are complete and kept in the folder " + folder
@@ -184,8 +195,8 @@ final class RecordCommand implements Callable<Integer> {
         } catch (IllegalArgumentException occupied) {
             throw new CalledWronglyException(String.valueOf(occupied.getMessage()));
         } catch (IOException unwritable) {
-            throw new CalledWronglyException("The folder " + folder + " cannot be written (" + unwritable
-                    + "). Choose another one with --out, or free some disk space.");
+            throw new CalledWronglyException("Cannot write to the folder " + folder + " (" + unwritable
+                    + "). Choose another one with --out, or free up some disk space.");
         }
     }
 }

@@ -43,15 +43,14 @@ final class RunCommand implements Callable<Integer> {
     @Option(
             names = "--rehearse",
             paramLabel = "T",
-            description =
-                    "Warm up before a real-time match: run the agent for T simulated seconds in a separate simulator, so"
-                            + " that Java has compiled it.")
+            description = "Warm up before a real-time match: run the agent for T simulated seconds in a separate"
+                    + " simulator, so that Java compiles it in advance.")
     private double rehearsalSeconds;
 
     @Parameters(
             arity = "0..*",
             paramLabel = "AGENT",
-            description = "Name of an example or of your class, or a .java file; then the options of the agent.")
+            description = "Name of an example or of your class, or a .java file; the agent's options follow.")
     private List<String> agentAndOptions = List.of();
 
     @Unmatched

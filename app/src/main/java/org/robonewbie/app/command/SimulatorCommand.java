@@ -91,18 +91,21 @@ final class SimulatorCommand implements Callable<Integer> {
             arity = "0..1",
             split = ",",
             fallbackValue = "mypos,myorien,ballpos",
-            description = "Send ground truth to robots: mypos (position of the head), myorien (its direction), ballpos;"
-                    + " all three by default.")
+            description = "Send ground truth to robots: mypos (head position), myorien (head direction), ballpos (ball"
+                    + " position); all three if none is named.")
     private List<String> groundTruth = new ArrayList<>();
 
     @Option(
             names = "--drop-silent-after",
             paramLabel = "T",
-            description = "With --sync: disconnect an agent that delays a cycle for T real seconds (default: 60);"
-                    + " sooner before its first message.")
+            description = "With --sync: disconnect an agent that delays a cycle for T real seconds (default: 60); the"
+                    + " limit is shorter until its first message.")
     private double silentAgentSeconds = SimulatorSettings.DEFAULT_SILENT_AGENT_SECONDS;
 
-    @Option(names = "--seed", paramLabel = "S", description = "Seed of all random numbers: same seed, same run.")
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            description = "Seed for all random numbers; the same seed gives the same run.")
     private Optional<Long> seed = Optional.empty();
 
     @Option(names = "--seconds", paramLabel = "T", description = "Stop after T simulated seconds.")

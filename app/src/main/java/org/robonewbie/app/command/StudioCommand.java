@@ -35,8 +35,8 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = StudioCommand.NAME,
         description = {
-            "Start the studio in the browser. Unless it watches a server, it starts a simulator that waits for agents on the"
-                    + " beginners' pitch.",
+            "Open the studio in the browser. Unless it is watching a server, it starts a simulator that waits for"
+                    + " agents on the beginners' pitch.",
             "FILE is a recording (.rec), the log of a SimSpark server (.log, may be gzipped), a motion (.txt), or a"
                     + " program (.java)."
         },
@@ -88,7 +88,7 @@ final class StudioCommand implements Callable<Integer> {
             arity = "0..1",
             fallbackValue = "" + RoboVizPort.DEFAULT,
             description =
-                    "Show the drawings that teams send to RoboViz, received at this UDP port of 127.0.0.1 (default:"
+                    "Show the drawings that teams send to RoboViz, received on this UDP port of 127.0.0.1 (default:"
                             + " ${FALLBACK-VALUE}).")
     private Optional<Integer> drawingPort = Optional.empty();
 

@@ -22,7 +22,7 @@ final class EncodingCheck {
                     "The remaining checks were skipped. Move to a folder whose name can be read, and start again.");
         }
         return unicode
-                ? Finding.well(SUBJECT, "file names may contain letters of all languages")
+                ? Finding.well(SUBJECT, "file names may contain letters from all languages")
                 : Finding.notable(
                         SUBJECT,
                         "file names are decoded as " + encoding + ", which lacks umlauts and other letters",

@@ -17,7 +17,7 @@ final class FolderCheck {
             return Finding.notable(
                     subject,
                     folder + " is not writable",
-                    "Recordings and reports need a writable folder: change to one first, or pass paths in one.");
+                    "Recordings and reports need a writable folder. Change to such a folder, or pass paths inside one.");
         }
     }
 }

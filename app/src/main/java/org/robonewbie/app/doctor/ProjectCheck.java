@@ -55,7 +55,7 @@ final class ProjectCheck {
             boolean ended = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS);
             process.destroyForcibly();
             if (!ended) {
-                return Optional.of("\"" + words.get(0) + "\" did not end within " + MAX_SECONDS + " s");
+                return Optional.of("\"" + words.get(0) + "\" did not finish within " + MAX_SECONDS + " s");
             }
             return process.exitValue() == 0
                     ? Optional.empty()

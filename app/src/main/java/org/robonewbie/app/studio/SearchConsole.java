@@ -66,7 +66,7 @@ public final class SearchConsole implements OptimisationListener {
 
     static String outcome(OptimisationResult result, Path file) {
         return result.isBetter()
-                ? "Written to " + file + "."
+                ? "The result was written to " + file + "."
                 : "No improvement was found, so nothing was written. More --generations or another --seed may help.";
     }
 

@@ -5,13 +5,13 @@ import picocli.CommandLine.Option;
 /** Command-line options for the display of a search. */
 public final class SearchStudioOptions {
 
-    @Option(names = "--headless", description = "Open no page; the program ends as soon as the search does.")
+    @Option(names = "--headless", description = "Do not open a page; the program exits when the search ends.")
     boolean isHeadless;
 
     @Option(names = "--no-browser", description = "Print the address of the page instead of opening a browser.")
     boolean isWithoutBrowser;
 
-    @Option(names = "--port", paramLabel = "N", description = "Port of the page (3400, or any free one).")
+    @Option(names = "--port", paramLabel = "N", description = "Port of the page (default: 3400, or any free one).")
     int port;
 
     /** Creates the default options. */

@@ -166,7 +166,7 @@ class BeginnersMistakesTest {
         Ended ended = robonewbie("grade");
 
         assertThat(ended.output())
-                .contains("The exercises are, with your best points:")
+                .contains("The exercises, with your best points:")
                 .containsPattern("(?m)^[✓+?] 10\\.0 01-raise-arms")
                 .containsPattern("(?m)^   4\\.5 12-kick")
                 .containsPattern("(?m)^       02-stop-at-30")

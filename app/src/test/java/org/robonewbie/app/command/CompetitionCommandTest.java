@@ -30,7 +30,7 @@ class CompetitionCommandTest {
         Printed printed = Printed.by(words);
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("A competition can have 10 teams, and there are 11.");
+        assertThat(printed.err()).contains("A competition can have at most 10 teams, but there are 11.");
     }
 
     @ParameterizedTest
@@ -62,7 +62,7 @@ class CompetitionCommandTest {
         assertThat(Files.readString(results.resolve("table.html")))
                 .contains(
                         "Programs ran without a sandbox (--fence none).",
-                        "The origin of connections to the port of a team was");
+                        "The origin of connections to each team's port was");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 

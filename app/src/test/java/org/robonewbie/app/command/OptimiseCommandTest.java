@@ -74,7 +74,7 @@ class OptimiseCommandTest {
     void asksForAnObjective() {
         assertThatThrownBy(() -> command("kick-right").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("Name the measure to optimise kick-right: --objective NAME. Available: ");
+                .hasMessageStartingWith("Name the measure for optimising kick-right: --objective NAME. Available: ");
     }
 
     @Test
@@ -176,7 +176,7 @@ class OptimiseCommandTest {
     void saysWhatIsMissingForAnAgent() {
         assertThatThrownBy(() -> command("kick-right", "--agent", "Walker.java", "--objective", "energy")
                         .call())
-                .hasMessage("Name one thing to optimise: a motion, walk-engine, or --agent CLASS.");
+                .hasMessage("Name exactly one subject to optimise: a motion, walk-engine, or --agent CLASS.");
         assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy")
                         .call())
                 .hasMessageStartingWith("Agent_Dance declares no number to optimise.");

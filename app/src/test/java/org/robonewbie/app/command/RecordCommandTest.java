@@ -223,7 +223,7 @@ class RecordCommandTest {
         Printed onFile = record(file);
 
         assertThat(inFile.exitCode()).isEqualTo(2);
-        assertThat(inFile.err()).contains("cannot be written").contains("Choose another one with --out");
+        assertThat(inFile.err()).contains("Cannot write to the folder").contains("Choose another one with --out");
         assertThat(onFile.exitCode()).isEqualTo(2);
         assertThat(file).hasContent("mine");
     }

@@ -150,7 +150,7 @@ class RunCommandTest {
         Printed answer = Printed.by("run", file.toString());
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("has no class Left", "need the same name");
+        assertThat(answer.err()).contains("has no class Left", "must have the same name");
     }
 
     @Test

@@ -175,8 +175,7 @@ final class AgentRunner {
     static String joinFailure(Options options, IOException lost) {
         double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
         return seconds < SECONDS_OF_THE_START
-                ? "--seconds " + seconds
-                        + " ended before the robot was in the game; joining takes about 0.3 s. Use at least 1."
+                ? "--seconds " + seconds + " is too short: joining takes about 0.3 s. Use at least 1."
                 : "The simulator did not accept the robot: " + lost.getMessage();
     }
 

@@ -8,7 +8,7 @@ import org.robonewbie.nao.text.Spelling;
 /** Command-line option of an agent: name, value and help text. */
 enum Option {
     HOST("HOST", "join the server on the computer HOST", Values.TEXT),
-    PORT("N", "port of that server, default 3100", Values.wholeNumber(1, 65535)),
+    PORT("N", "port of that server (default: 3100)", Values.wholeNumber(1, 65535)),
     TEAM("NAME", "team name, without spaces or brackets", Values.NAME),
     NUMBER(
             "N",

@@ -82,7 +82,7 @@ enum OptionSource {
             return "true";
         }
         if (!rest.hasNext()) {
-            throw new StartUpException(option.argument() + " needs a value; --help shows which.");
+            throw new StartUpException(option.argument() + " needs a value; see --help.");
         }
         return rest.next();
     }

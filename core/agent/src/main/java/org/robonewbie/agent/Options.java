@@ -133,7 +133,7 @@ public final class Options {
         if (!takesWords && !arguments.isEmpty()) {
             throw new StartUpException("\"" + arguments.get(0)
                     + "\" is not an option. Options begin with --, such as --seconds 5; --help lists them. A program"
-                    + " that takes other arguments says so in defaults(): Options.none().withWords().");
+                    + " that takes other arguments declares this in defaults(): Options.none().withWords().");
         }
     }
 

@@ -185,7 +185,8 @@ public final class TunableNumbers {
                         "",
                         "number " + name,
                         () -> file + " has a number \"" + name + "\", but the program does not declare it."
-                                + Spelling.question(name, declared.keySet()) + " It has " + declared.keySet() + ".");
+                                + Spelling.question(name, declared.keySet()) + " It declares " + declared.keySet()
+                                + ".");
             }
         }
     }

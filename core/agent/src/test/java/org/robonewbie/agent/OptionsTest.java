@@ -97,7 +97,7 @@ class OptionsTest {
         assertThatThrownBy(() -> read("--pose", "1,2"))
                 .hasMessage("--pose needs three numbers X,Y,DEGREES such as -0.5,0.4,-40, not \"1,2\" (on the"
                         + " command line).");
-        assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value; --help shows which.");
+        assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value; see --help.");
     }
 
     @ParameterizedTest

@@ -80,7 +80,7 @@ class TunableNumbersTest {
 
         assertThat(told())
                 .contains("has a number \"strid\", but the program does not declare it. Did you mean stride?"
-                        + " It has [stride].");
+                        + " It declares [stride].");
     }
 
     @Test

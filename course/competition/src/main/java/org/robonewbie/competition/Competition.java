@@ -105,11 +105,13 @@ public final class Competition {
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
             return List.of(
-                    "Programs ran in a sandbox (bubblewrap); each team had a port that no other team can reach.");
+                    "Programs ran in a sandbox (bubblewrap); each team had its own port, which no other team could"
+                            + " reach.");
         }
         String connections = ProcessTree.hasConnections()
-                ? "The origin of connections to the port of a team was checked."
-                : "The origin of connections to the port of a team was not checked because this system does not report it.";
+                ? "The origin of connections to each team's port was checked."
+                : "The origin of connections to each team's port was not checked because this system does not report"
+                        + " it.";
         return List.of("Programs ran without a sandbox (" + settings.sandbox().absence() + ").", connections);
     }
 
@@ -135,7 +137,7 @@ public final class Competition {
     private void tell(TeamEntry team, TeamProgram.Broken broken) {
         boolean isRefused = broken.ending() == Ending.REFUSED;
         out.println(
-                "Team " + team.name() + (isRefused ? " was refused" : " does not compile") + " and loses its trials:");
+                "Team " + team.name() + (isRefused ? " was rejected" : " does not compile") + " and loses its trials:");
         broken.complaint().strip().lines().map(PrintableText::of).forEach(out::println);
         if (isRefused) {
             refused.add(team.name());

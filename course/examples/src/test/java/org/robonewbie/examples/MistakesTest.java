@@ -51,7 +51,7 @@ class MistakesTest {
             assertThat(program.lines())
                     .anyMatch(
                             line -> line.contains("think() has not returned for 1 s; the robot waits for it. Is this an"
-                                    + " endless loop, or does it wait for something? (EndlessLoop.java:2"))
+                                    + " infinite loop, or is the program waiting for something? (EndlessLoop.java:2"))
                     .anyMatch(line -> line.contains("think() has not returned for 5 s; the run ends here."))
                     .anyMatch(line -> line.contains("I think"));
         }

@@ -30,7 +30,7 @@ final class CompactSource {
 
     static Optional<String> trouble(String text, String className, int javaVersion) {
         return javaVersion < Program.JAVA_OF_SHORT_FORMS && is(text, className)
-                ? Optional.of(needsNewerJava("A file whose main method is outside of a class", javaVersion)
+                ? Optional.of(needsNewerJava("A file whose main method is outside a class", javaVersion)
                         + ", or write: public class " + className
                         + " { public static void main(String[] args) { ... } }")
                 : Optional.empty();
@@ -38,8 +38,8 @@ final class CompactSource {
 
     /** Returns a sentence that says which version of Java a feature needs, without the full stop. */
     static String needsNewerJava(String what, int javaVersion) {
-        return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, and this is Java " + javaVersion
-                + ". Install a JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
+        return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, but this is Java " + javaVersion
+                + ". Install JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
     }
 
     /**

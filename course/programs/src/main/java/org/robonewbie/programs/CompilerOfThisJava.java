@@ -26,7 +26,8 @@ public final class CompilerOfThisJava {
     static void require() {
         if (!isThere()) {
             throw new CalledWronglyException(
-                    "To run .java files, install a JDK instead of a Java runtime (JRE): this Java has no compiler ("
+                    "To run .java files, install a JDK instead of a Java runtime (JRE): this Java installation has no"
+                            + " compiler ("
                             + System.getProperty("java.home") + ").");
         }
     }

@@ -24,7 +24,8 @@ public final class Fingerprint {
         try {
             digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("This Java has no SHA-256, although the specification requires it", e);
+            throw new IllegalStateException(
+                    "This Java runtime does not provide SHA-256, although the specification requires it", e);
         }
     }
 

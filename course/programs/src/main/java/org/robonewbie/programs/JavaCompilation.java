@@ -70,7 +70,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
 
     private CompilationFailedException overtaxed() {
         return new CompilationFailedException("The compiler cannot read " + name
-                + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
+                + " because an expression or a block is nested too deeply. Split it into several shorter ones.");
     }
 
     /** Closes a file manager that cannot be kept, because a concurrent compilation has already stored its own. */

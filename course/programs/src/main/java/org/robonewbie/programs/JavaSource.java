@@ -203,7 +203,7 @@ public final class JavaSource {
             return loader.loadClass(className());
         } catch (ClassNotFoundException none) {
             throw new CalledWronglyException("The file " + file + " has no class " + simpleName()
-                    + ". A file and the class in it need the same name.");
+                    + ". A file and its class must have the same name.");
         }
     }
 

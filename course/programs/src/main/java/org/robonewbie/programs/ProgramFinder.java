@@ -142,7 +142,7 @@ public final class ProgramFinder {
                  It is not a robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
                 put the behaviour of the robot into "protected void think()".""".formatted(type.getSimpleName());
         return new CalledWronglyException("""
-                %1$s cannot be run, since it has no main method.%2$s Add to it:
+                %1$s cannot be run, since it has no main method.%2$s Add this method:
                   public static void main(String[] args) {
                     new %1$s().run(args);
                   }""".formatted(type.getSimpleName(), robot));

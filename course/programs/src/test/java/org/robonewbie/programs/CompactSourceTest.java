@@ -21,7 +21,7 @@ class CompactSourceTest {
         assertThat(CompactSource.trouble(text, "Kick", 21))
                 .hasValueSatisfying(sentence -> assertThat(sentence)
                         .startsWith(
-                                "A file whose main method is outside of a class needs Java 25 or newer, and this is Java 21.")
+                                "A file whose main method is outside a class needs Java 25 or newer, but this is Java 21.")
                         .contains("public class Kick"));
         assertThat(CompactSource.trouble(text, "Kick", 25)).isEmpty();
     }

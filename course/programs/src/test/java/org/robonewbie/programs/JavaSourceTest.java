@@ -121,7 +121,7 @@ class JavaSourceTest {
 
         assertThatThrownBy(() -> source.load(List.of()).get())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("has no class Main. A file and the class in it need the same name.");
+                .hasMessageContaining("has no class Main. A file and its class must have the same name.");
     }
 
     @Test

@@ -164,7 +164,8 @@ public final class MotionSequencer implements Motions {
         if (factor > 0 && Double.isFinite(factor)) {
             speed = factor;
         } else {
-            diagnostics.report("motion speed", () -> "Motions cannot have speed " + factor + "; use a number above 0.");
+            diagnostics.report(
+                    "motion speed", () -> "A motion cannot be played at speed " + factor + "; use a number above 0.");
         }
     }
 
@@ -317,7 +318,7 @@ public final class MotionSequencer implements Motions {
         String others = "use one of: " + String.join(", ", names) + ".";
         if (!plain.equals(name) && names.contains(plain)) {
             return String.format(
-                    Locale.ROOT, "There is no motion \"%s\". Leave out \".txt\": \"%s\" is its name.", name, plain);
+                    Locale.ROOT, "There is no motion \"%s\". Omit \".txt\": the name is \"%s\".", name, plain);
         }
         Optional<String> problem = FileName.problem(plain);
         if (problem.isPresent()) {
@@ -331,7 +332,7 @@ public final class MotionSequencer implements Motions {
         }
         return String.format(
                 Locale.ROOT,
-                "There is no motion \"%s\".%s Put a file motions/%s.txt into the working directory, or %s",
+                "There is no motion \"%s\".%s Put a file motions/%s.txt in the working directory, or %s",
                 name,
                 Spelling.question(plain, names, similar -> "\"" + similar + "\""),
                 plain,

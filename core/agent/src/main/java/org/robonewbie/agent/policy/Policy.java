@@ -61,7 +61,7 @@ public record Policy(
     public double[] numbers(String name, int count) {
         List<Double> found = numbers.getOrDefault(name, List.of());
         if (found.size() != count) {
-            throw new IllegalArgumentException("The policy \"" + task + "\" needs " + count + " numbers \"" + name
+            throw new IllegalArgumentException("The policy \"" + task + "\" needs " + count + " numbers named \"" + name
                     + "\", but has " + found.size() + ".");
         }
         return found.stream().mapToDouble(Double::doubleValue).toArray();
@@ -89,7 +89,8 @@ public record Policy(
         if (different >= 0) {
             throw new IllegalArgumentException(
                     "The policy \"" + task + "\" has " + at(found, different) + " as " + kind + " " + (different + 1)
-                            + " where " + at(wanted, different) + " is needed. Is it for another task?");
+                            + " where " + at(wanted, different) + " is needed. Was the policy trained for another"
+                            + " task?");
         }
     }
 

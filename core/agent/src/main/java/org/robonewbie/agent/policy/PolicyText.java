@@ -102,7 +102,7 @@ public final class PolicyText {
         int to = Integer.parseInt(rest[0]);
         if (rest.length < 2 || from < 1 || from > MAX_LAYER_WIDTH || to < 1 || to > MAX_LAYER_WIDTH) {
             throw new IllegalArgumentException("A layer has 1 to " + MAX_LAYER_WIDTH
-                    + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
+                    + " inputs and outputs, followed by tanh or cut, such as \"layer 12 6 tanh\".");
         }
         layers.add(new Layer(
                 from,

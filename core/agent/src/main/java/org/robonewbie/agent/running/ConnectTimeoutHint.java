@@ -31,8 +31,8 @@ public final class ConnectTimeoutHint implements AutoCloseable {
 
     static ConnectTimeoutHint after(Duration timeout, String place, PrintStream err) {
         Runnable print = () -> err.println("No answer from " + place + " for " + timeout.toSeconds()
-                + " s; still waiting. Is that simulator paused, or does it wait for more players? If another"
-                + " program uses the port (\"robonewbie doctor\" checks this), --seed 1 starts an embedded simulator.");
+                + " s; still waiting. Is that simulator paused, or is it waiting for more players? If another program"
+                + " uses the port (\"robonewbie doctor\" checks this), --seed 1 starts an embedded simulator.");
         return new ConnectTimeoutHint(CompletableFuture.runAsync(
                 print, CompletableFuture.delayedExecutor(timeout.toMillis(), TimeUnit.MILLISECONDS)));
     }

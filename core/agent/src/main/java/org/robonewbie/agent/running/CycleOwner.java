@@ -26,7 +26,7 @@ public enum CycleOwner {
 
     /** Describes a program that has stalled. */
     String stall(String howLong) {
-        return stall + " for " + howLong + ". Is this an endless loop, or does it wait for something?";
+        return stall + " for " + howLong + ". Is this an infinite loop, or is the program waiting for something?";
     }
 
     /**

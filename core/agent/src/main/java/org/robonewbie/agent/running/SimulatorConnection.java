@@ -20,8 +20,8 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 public final class SimulatorConnection implements AutoCloseable {
 
     private static final String ALREADY_RUNNING =
-            ", which is already running. Watch it in the studio at the address in the"
-                    + " terminal where it was started. To start a new one instead, stop it first, or add --seed 1.";
+            ", which is already running. Watch it in the studio at the address shown in the terminal where it was"
+                    + " started. To start a new one instead, stop this one first, or add --seed 1.";
 
     private final boolean server;
     private final String place;

@@ -52,7 +52,7 @@ public final class WalkController implements Walk {
         if (!Double.isFinite(forwardMetresPerSecond + leftMetresPerSecond + turnDegreesPerSecond)) {
             diagnostics.report(
                     "walk NaN",
-                    () -> "Walking towards " + forwardMetresPerSecond + ", " + leftMetresPerSecond + ", "
+                    () -> "The walk command " + forwardMetresPerSecond + ", " + leftMetresPerSecond + ", "
                             + turnDegreesPerSecond + " is ignored. Was something divided by zero?");
             return;
         }

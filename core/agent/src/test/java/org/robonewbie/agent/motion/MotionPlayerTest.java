@@ -130,7 +130,7 @@ class MotionPlayerTest {
         assertThat(problems)
                 .containsExactly(
                         "Motion test turns LEFT_SHOULDER_PITCH by 60 degrees in 20 ms on the way to keyframe 2,"
-                                + " faster than its motor can; allow at least 180 ms.");
+                                + " which is faster than its motor allows; plan at least 180 ms.");
     }
 
     @Test

@@ -184,7 +184,7 @@ class MotionsTest {
         assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
-                .startsWith("0.00 s: There is no motion \"salute\". Put a file motions/salute.txt into the working"
+                .startsWith("0.00 s: There is no motion \"salute\". Put a file motions/salute.txt in the working"
                         + " directory, or use one of: ")
                 .contains("nod", "walk-forward");
     }
@@ -204,10 +204,10 @@ class MotionsTest {
             delimiter = '|',
             quoteCharacter = '\'',
             value = {
-                "nod.txt | There is no motion \"nod.txt\". Leave out \".txt\": \"nod\" is its name.",
-                "walk-forward.TXT | There is no motion \"walk-forward.TXT\". Leave out \".txt\": \"walk-forward\" is its name.",
-                "nodd.txt | There is no motion \"nodd.txt\". Did you mean \"nod\"? Put a file motions/nodd.txt into the",
-                "NOD | There is no motion \"NOD\". Did you mean \"nod\"? Put a file motions/NOD.txt into the",
+                "nod.txt | There is no motion \"nod.txt\". Omit \".txt\": the name is \"nod\".",
+                "walk-forward.TXT | There is no motion \"walk-forward.TXT\". Omit \".txt\": the name is \"walk-forward\".",
+                "nodd.txt | There is no motion \"nodd.txt\". Did you mean \"nod\"? Put a file motions/nodd.txt in the",
+                "NOD | There is no motion \"NOD\". Did you mean \"nod\"? Put a file motions/NOD.txt in the",
                 "'nod ' | \"nod \" is not a valid motion name: it ends with a space. Did you mean \"nod\"? Choose another",
                 "my/nod | \"my/nod\" is not a valid motion name: it contains \"/\".",
                 "n\u200Bod | \"n\u200Bod\" is not a valid motion name: it contains the invisible character U+200B. Did you mean"
@@ -311,7 +311,7 @@ class MotionsTest {
 
         assertThat(diagnostics.reported())
                 .containsExactly("0.00 s: Motion nod turns NECK_YAW by 90 degrees in 20 ms on the way to keyframe 1,"
-                        + " faster than its motor can; allow at least 260 ms.");
+                        + " which is faster than its motor allows; plan at least 260 ms.");
     }
 
     @Test

@@ -78,9 +78,9 @@ class PolicyTextTest {
         assertThatThrownBy(() -> policy.require(policy.inputs(), List.of(new Quantity("ELBOW", "20 degrees"))))
                 .hasMessage(
                         "The policy \"balance\" has KNEE in 20 degrees as output 1 where ELBOW in 20 degrees is needed."
-                                + " Is it for another task?");
+                                + " Was the policy trained for another task?");
         assertThatThrownBy(() -> policy.numbers("gait", 38))
-                .hasMessage("The policy \"balance\" needs 38 numbers \"gait\", but has 0.");
+                .hasMessage("The policy \"balance\" needs 38 numbers named \"gait\", but has 0.");
         assertThatThrownBy(() -> new Policy("x", List.of(), Map.of(), List.of(), List.of(), policy.network()))
                 .hasMessageContaining("0 inputs and 0 outputs are named");
     }

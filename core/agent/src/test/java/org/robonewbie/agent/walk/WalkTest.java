@@ -94,7 +94,7 @@ class WalkTest {
         assertThat(walk.isWalking()).isFalse();
         assertThat(diagnostics.reported())
                 .anyMatch(line ->
-                        line.contains("Walking towards NaN, 0.0, 0.0 is ignored. Was something divided by zero?"));
+                        line.contains("The walk command NaN, 0.0, 0.0 is ignored. Was something divided by zero?"));
     }
 
     @Test

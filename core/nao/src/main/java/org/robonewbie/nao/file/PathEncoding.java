@@ -57,7 +57,8 @@ public final class PathEncoding {
         return isUnicode()
                 ? "The name \"" + name + "\" is not encoded in " + name()
                         + ", so Java cannot open it. Rename that file or folder."
-                : "The name \"" + name + "\" has letters that cannot be decoded, since the encoding of this shell is "
+                : "The name \"" + name + "\" contains letters that cannot be decoded, since the encoding of this shell"
+                        + " is "
                         + name() + ". Run \"export LC_ALL=C.UTF-8\" and start again.";
     }
 

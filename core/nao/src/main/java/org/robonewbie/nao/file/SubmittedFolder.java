@@ -121,7 +121,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
                 throw refused(folder, "is a link to a folder that contains it. Remove it from the folder.");
             }
             if (above.size() >= MAX_DEPTH) {
-                throw refused(folder, "is nested more than " + MAX_DEPTH + " folders deep. Submit fewer folders.");
+                throw refused(folder, "is nested more than " + MAX_DEPTH + " folders deep. Reduce the nesting.");
             }
             List<Path> within = new ArrayList<>(above);
             within.add(real);

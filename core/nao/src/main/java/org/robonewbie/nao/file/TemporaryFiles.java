@@ -47,7 +47,7 @@ public final class TemporaryFiles {
 
     private static IOException explained(IOException impossible) {
         Path folder = Path.of(System.getProperty("java.io.tmpdir", "."));
-        String found = Files.isDirectory(folder) ? "cannot be written" : "does not exist";
+        String found = Files.isDirectory(folder) ? "cannot be written to" : "does not exist";
         return new IOException(
                 "The system's folder for temporary files, " + folder + ", " + found + " (" + impossible.getMessage()
                         + "). " + howToChoose(),

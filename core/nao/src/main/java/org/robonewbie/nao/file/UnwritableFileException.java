@@ -47,7 +47,7 @@ public final class UnwritableFileException extends IOException {
                 : String.valueOf(cause.getMessage());
         String words = detail.toLowerCase(Locale.ROOT);
         if (words.contains("no space left") || words.contains("not enough space") || words.contains("quota")) {
-            return "the disk is full (" + detail + "). Free some space and start again.";
+            return "the disk is full (" + detail + "). Free up some space and start again.";
         }
         String problem = cause instanceof AccessDeniedException || words.contains("read-only")
                 ? "writing is not permitted there"

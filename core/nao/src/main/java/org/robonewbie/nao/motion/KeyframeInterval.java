@@ -14,7 +14,7 @@ public record KeyframeInterval(Posture start, Motion motion, int index) {
     public KeyframeInterval {
         if (index < 0 || index >= motion.keyframes().size()) {
             throw new IllegalArgumentException("Keyframe " + index + " does not exist: motion " + motion.name()
-                    + " has " + motion.keyframes().size() + " keyframes, counted from 0.");
+                    + " has " + motion.keyframes().size() + " keyframes, numbered from 0.");
         }
     }
 

@@ -202,8 +202,8 @@ public final class MotionPlayer {
         int enough = (int) Math.ceil(way / joint.maxDegreesPerSecond() * 1000 / CYCLE_MILLIS) * CYCLE_MILLIS;
         return String.format(
                 Locale.ROOT,
-                "Motion %s turns %s by %.0f degrees in %.0f ms on the way to keyframe %d, faster than its motor"
-                        + " can; allow at least %d ms.",
+                "Motion %s turns %s by %.0f degrees in %.0f ms on the way to keyframe %d, which is faster than its"
+                        + " motor allows; plan at least %d ms.",
                 motion.name(),
                 joint,
                 way,

@@ -194,6 +194,6 @@ public final class StateReader {
 
     private static IllegalArgumentException damaged(String problem, int offset) {
         return new IllegalArgumentException("The saved state " + problem + " (byte " + offset
-                + "). It is damaged, or another version of RoboNewbie wrote it.");
+                + "). It is damaged, or it was written by a different version of RoboNewbie.");
     }
 }

@@ -115,7 +115,7 @@ class AtomicFileTest {
         try (OutputStream out = AtomicFile.begin(file)) {
             assertThatThrownBy(() -> out.write(1))
                     .hasMessage("The file " + file
-                            + " cannot be written: the disk is full (No space left on device). Free some space and start"
+                            + " cannot be written: the disk is full (No space left on device). Free up some space and start"
                             + " again.");
         }
     }

@@ -87,7 +87,7 @@ class InterpolationTest {
     void refusesSectionsThatDoNotExist() {
         assertThatThrownBy(() -> new KeyframeInterval(START, MOTION, 3))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("Keyframe 3 does not exist: motion bend has 3 keyframes, counted from 0.");
+                .hasMessage("Keyframe 3 does not exist: motion bend has 3 keyframes, numbered from 0.");
     }
 
     @Test

@@ -81,7 +81,7 @@ class FrameTest {
         assertThatThrownBy(() -> input.read(new MessageBuffer()))
                 .isInstanceOf(FrameTooLongException.class)
                 .hasMessage(
-                        "The other side announces a message of 4294967295 bytes, more than the 100000 bytes allowed."
+                        "The other side announced a message of 4294967295 bytes, more than the 100000 bytes allowed."
                                 + " Does it use SimSpark's protocol, with a length of four bytes before each message?");
     }
 

@@ -69,7 +69,7 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     private static DamagedRecordingException damaged(String name, Exception reason) {
-        return new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.", reason);
+        return new DamagedRecordingException(name + " is not a RoboNewbie recording, or it is damaged.", reason);
     }
 
     /**
@@ -126,7 +126,8 @@ public final class RecordingReader implements AutoCloseable {
         } catch (EOFException | ZipException e) {
             return Optional.empty();
         } catch (IndexOutOfBoundsException invalid) {
-            throw new DamagedRecordingException("The recording has an invalid record. The file is damaged.", invalid);
+            throw new DamagedRecordingException(
+                    "The recording contains an invalid record. The file is damaged.", invalid);
         }
     }
 
@@ -138,12 +139,12 @@ public final class RecordingReader implements AutoCloseable {
     private void readHeader(String name) throws IOException {
         byte[] magic = in.readNBytes(RecordingFormat.MAGIC.length());
         if (!new String(magic, StandardCharsets.US_ASCII).equals(RecordingFormat.MAGIC)) {
-            throw new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.");
+            throw new DamagedRecordingException(name + " is not a RoboNewbie recording, or it is damaged.");
         }
         long version = readUnsigned();
         if (version != RecordingFormat.VERSION) {
             throw new DamagedRecordingException(
-                    "Recording " + name + " has version " + version + ", but this program reads version "
+                    "Recording " + name + " has version " + version + ", but this program reads only version "
                             + RecordingFormat.VERSION + ". Use the program that created it.");
         }
         in.readUnsignedByte();

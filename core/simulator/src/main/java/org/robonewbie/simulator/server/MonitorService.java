@@ -98,8 +98,8 @@ final class MonitorService {
         } else {
             warnings.warn(
                     "spectator",
-                    "tried to change the world, which this simulator does not allow. Start it without --no-trainers to allow"
-                            + " this.");
+                    "tried to change the world, which this simulator does not allow. Start the simulator without"
+                            + " --no-trainers to allow this.");
         }
     }
 

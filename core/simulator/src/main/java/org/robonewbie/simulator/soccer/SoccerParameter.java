@@ -30,12 +30,15 @@ public enum SoccerParameter {
     PENALTY_WIDTH("PenaltyWidth", 3.9, 2.6, "width of the penalty area without the goal's width, metres"),
     /** Distance that opponents must keep from a set piece. */
     FREE_KICK_DISTANCE(
-            "FreeKickDistance", 2, 1.3, "metres that opponents keep from a set piece; radius of the centre circle"),
+            "FreeKickDistance",
+            2,
+            1.3,
+            "metres that opponents must keep from a set piece; radius of the centre circle"),
     /** Distance to which opponents are moved at a set piece. */
     FREE_KICK_MOVE_DISTANCE("FreeKickMoveDist", 2.5, 1.5, "metres from a set piece to which opponents are moved"),
     /** Distance to which the kicking team is moved when the ball is placed. */
     KICK_REPEL_DISTANCE(
-            "KickRepelDist", 0.5, 0.5, "metres that the kicking team is moved away when the ball is placed"),
+            "KickRepelDist", 0.5, 0.5, "metres by which the kicking team is moved away when the ball is placed"),
     /** Distance of the goal kick from the goal line. */
     GOAL_KICK_DISTANCE("GoalKickDist", 1, 1, "metres from the goal line to the goal kick"),
     /** Width of the border around the pitch. */
@@ -66,9 +69,9 @@ public enum SoccerParameter {
     /** The y coordinate of the centre of the keep-away area. */
     KEEPAWAY_CENTER_Y("KeepawayCenterY", 0, 0, "metres"),
     /** Initial length of the keep-away area. */
-    KEEPAWAY_LENGTH("KeepawayLength", 20, 8, "initial metres along x"),
+    KEEPAWAY_LENGTH("KeepawayLength", 20, 8, "initial length (along x), metres"),
     /** Initial width of the keep-away area. */
-    KEEPAWAY_WIDTH("KeepawayWidth", 20, 8, "initial metres along y"),
+    KEEPAWAY_WIDTH("KeepawayWidth", 20, 8, "initial width (along y), metres"),
     /** Rate at which the length of the keep-away area shrinks. */
     KEEPAWAY_LENGTH_REDUCTION_RATE("KeepawayLengthReductionRate", 4, 4, "metres per minute"),
     /** Rate at which the width of the keep-away area shrinks. */
@@ -90,9 +93,9 @@ public enum SoccerParameter {
     /** Pause before the ball is placed for a set piece. */
     RULE_KICK_IN_PAUSE_TIME("RuleKickInPauseTime", 1, 1, "seconds until the ball is placed for a set piece"),
     /** Length of a half. */
-    RULE_HALF_TIME("RuleHalfTime", 300, 1800, "seconds of a half"),
+    RULE_HALF_TIME("RuleHalfTime", 300, 1800, "length of a half, seconds"),
     /** Time limit of a set piece. */
-    RULE_DROP_BALL_TIME("RuleDropBallTime", 15, 15, "seconds until the ball is dropped if a set piece is not taken"),
+    RULE_DROP_BALL_TIME("RuleDropBallTime", 15, 15, "seconds until the ball is dropped if the set piece is not taken"),
     /** Whether the match ends after one half. */
     SINGLE_HALF_TIME("SingleHalfTime", false, true, "whether the match ends after one half"),
     /** Whether the offside rule applies; not implemented. */
@@ -128,7 +131,7 @@ public enum SoccerParameter {
     /** Charging: minimum speed of a robot towards the collision. */
     CHARGING_MIN_COLLISION_SPEED("ChargingMinCollisionSpeed", 0.2, 0.2, "metres per second towards the collision"),
     /** Overlap of two links below which there is no self-collision. */
-    SELF_COLLISIONS_TOLERANCE("SelfCollisionsTolerance", 0.04, 0.04, "metres that two links may overlap"),
+    SELF_COLLISIONS_TOLERANCE("SelfCollisionsTolerance", 0.04, 0.04, "metres by which two links may overlap"),
     /** Whether the console reports self-collisions. */
     PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether the console reports self-collisions"),
     /** Whether a self-collision is a foul. */
@@ -141,7 +144,8 @@ public enum SoccerParameter {
     SELF_COLLISION_BEAM_PENALTY(
             "SelfCollisionBeamPenalty", false, false, "whether a self-collision removes the robot from the pitch"),
     /** Minimum time between two removals for self-collision. */
-    SELF_COLLISION_BEAM_COOLDOWN_TIME("SelfCollisionBeamCooldownTime", 10, 10, "seconds between two such penalties"),
+    SELF_COLLISION_BEAM_COOLDOWN_TIME(
+            "SelfCollisionBeamCooldownTime", 10, 10, "seconds between two removals for self-collisions"),
     /** Whether self-collisions are written to a file; not implemented. */
     WRITE_SELF_COLLISIONS_TO_FILE(
             "WriteSelfCollisionsToFile", false, false, "without effect; self-collisions are in the recording"),
@@ -162,15 +166,15 @@ public enum SoccerParameter {
     /** Crowding: distance between the ball and an opponent below which the foul is called. */
     MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is called"),
     /** Crowding: distance that a team's second robot must keep from the ball. */
-    MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that the second robot of a team keeps from the ball"),
+    MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that a team's second robot must keep from the ball"),
     /** Crowding: distance that a team's third robot must keep from the ball. */
-    MIN_THIRD_PLAYER_DISTANCE("Min3PlDistance", 0, 0, "metres that the third robot of a team keeps from the ball"),
+    MIN_THIRD_PLAYER_DISTANCE("Min3PlDistance", 0, 0, "metres that a team's third robot must keep from the ball"),
     /** Time for which a punished robot is held in the air. */
     FOUL_HOLD_TIME("FoulHoldTime", 0.5, 0.5, "seconds for which a punished robot is held in the air"),
     /** Whether perceptor messages contain the score. */
     REPORT_SCORE("ReportScore", true, true, "whether agents receive the score"),
     /** Whether a heard message contains the name of the speaker's team. */
-    LABEL_MESSAGES("LabelMessages", true, true, "whether a heard message contains the team of the speaker"),
+    LABEL_MESSAGES("LabelMessages", true, true, "whether a heard message contains the speaker's team"),
     /** Maximum position error of a beam. */
     BEAM_NOISE_XY("BeamNoiseXY", 0.05, 0, "maximum position error of a beam in metres"),
     /** Maximum angle error of a beam. */

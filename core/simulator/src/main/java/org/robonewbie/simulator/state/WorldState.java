@@ -75,8 +75,9 @@ public final class WorldState {
             throw new IllegalArgumentException(
                     mismatch == MAGIC.length - 1 && bytes.length > mismatch
                             ? "The saved state has version " + bytes[mismatch]
-                                    + ", but this RoboNewbie reads only version " + VERSION + ". Save it again."
-                            : "This is not a saved state of a world (byte " + mismatch + "). Choose another file.");
+                                    + ", but this version of RoboNewbie reads only version "
+                                    + VERSION + ". Save the state again."
+                            : "This is not a saved world state (byte " + mismatch + "). Choose another file.");
         }
         StateReader in = new StateReader(bytes, MAGIC.length);
         if (in.getLong() != checksum(bytes, MAGIC.length + Long.BYTES)) {

@@ -38,6 +38,6 @@ class StateFileTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> StateFile.read(file))
-                .withMessage(file + ": This is not a saved state of a world (byte 6). Choose another file.");
+                .withMessage(file + ": This is not a saved world state (byte 6). Choose another file.");
     }
 }

@@ -155,7 +155,7 @@ class RecordingTest {
 
         assertThatThrownBy(() -> RecordingFile.read(file))
                 .isInstanceOf(IOException.class)
-                .hasMessage("\"" + file + "\" is not a recording of RoboNewbie, or it is damaged.");
+                .hasMessage("\"" + file + "\" is not a RoboNewbie recording, or it is damaged.");
     }
 
     @Test

@@ -59,9 +59,8 @@ class TrainerOrdersTest {
             assertThat(closed.world().robots()).hasSize(1);
             assertThat(closed.world().gameState().scoreLeft()).isZero();
             assertThat(closed.told())
-                    .contains(
-                            "A trainer tried to change the world, which this simulator does not allow. Start it without"
-                                    + " --no-trainers to allow this.");
+                    .contains("A trainer tried to change the world, which this simulator does not allow. Start the"
+                            + " simulator without --no-trainers to allow this.");
         }
     }
 

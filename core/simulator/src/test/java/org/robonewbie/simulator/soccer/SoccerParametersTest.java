@@ -52,7 +52,7 @@ class SoccerParametersTest {
     void textInsteadOfNumberIsRefused() {
         assertThatThrownBy(() -> SoccerParameters.league().with("RuleHalfTime=long"))
                 .hasMessage(
-                        "Value \"long\" of RuleHalfTime is not a number. Write, for example, RuleHalfTime=300 (seconds of a half).");
+                        "Value \"long\" of RuleHalfTime is not a number. Write, for example, RuleHalfTime=300 (length of a half, seconds).");
         assertThatThrownBy(() -> SoccerParameters.league().with("RuleHalfTime=NaN"))
                 .hasMessageContaining("not a number");
     }

@@ -57,7 +57,7 @@ class WorldStateTest {
     void anotherFileIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldState.ofBytes(new byte[] {'R', 'N', 'x', 0, 0, 0, 0, 0, 0}))
-                .withMessage("This is not a saved state of a world (byte 2). Choose another file.");
+                .withMessage("This is not a saved world state (byte 2). Choose another file.");
     }
 
     @Test
@@ -67,6 +67,7 @@ class WorldStateTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldState.ofBytes(later))
-                .withMessage("The saved state has version 9, but this RoboNewbie reads only version 1. Save it again.");
+                .withMessage(
+                        "The saved state has version 9, but this version of RoboNewbie reads only version 1. Save the state again.");
     }
 }

@@ -81,8 +81,8 @@ public final class Contests {
         return new ChallengeContest(
                 "walk",
                 "Fastest walk",
-                "3 m straight ahead towards the ball. The fastest to cross the line upright wins; teams that do not cross"
-                        + " it are ranked by the distance walked.",
+                "Walk 3 m straight ahead towards the ball. The fastest robot to cross the line upright wins; teams that"
+                        + " do not cross it are ranked by the distance walked.",
                 () -> new SoloChallenge<>(start, new Race(RACE_METRES), Contests::way),
                 start,
                 MINI_SECONDS,
@@ -110,7 +110,7 @@ public final class Contests {
         return new ChallengeContest(
                 "kick",
                 "Longest kick",
-                "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. The score is the"
+                "The ball lies on the centre spot; the robot starts 0.8 m behind it and has 60 s. The score is the"
                         + " distance of the ball from the point where it left the robot.",
                 () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
                 start,
@@ -165,7 +165,8 @@ public final class Contests {
                 "gymnastics",
                 "Gymnastics",
                 "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,"
-                        + " lying down and getting up. The most elements win; ties go to the earlier last element.",
+                        + " lying down and getting up. The most elements win; in a tie, the team that completed its"
+                        + " last element earlier wins.",
                 () -> new SoloChallenge<>(start, new Gymnastics(), Gymnastics::figures),
                 start,
                 MINI_SECONDS,

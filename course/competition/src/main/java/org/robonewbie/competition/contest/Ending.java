@@ -7,7 +7,7 @@ public enum Ending {
     /** The program does not compile. */
     NOT_COMPILED("its program does not compile"),
     /** The files of the team were refused. */
-    REFUSED("its program was refused"),
+    REFUSED("its program was rejected"),
     /** The program did not connect a robot. */
     NOT_STARTED("no robot joined"),
     /** The program exited before the end of the trial. */
@@ -21,9 +21,9 @@ public enum Ending {
     /** The program exceeded the limit on the number of processes. */
     TOO_MANY_PROCESSES("its program exceeded the process limit"),
     /** The program connected to the port of another team. */
-    INTRUDED("its program connected to the port of another team"),
+    INTRUDED("its program connected to another team's port"),
     /** The team had more robots on the pitch than a match or penalty shoot-out allows. */
-    TOO_MANY_ROBOTS("more robots joined than are allowed");
+    TOO_MANY_ROBOTS("more robots joined than allowed");
 
     private final String sentence;
 

@@ -40,8 +40,8 @@ final class TablePage {
             <tbody>
             %s</tbody>
             </table>
-            <p class="note">Seed %d. To replay a trial, run its command under “replay” in a terminal, in the folder of this
-            page. The file recordings.sha256 contains the checksums of all recordings.</p>
+            <p class="note">Seed %d. To replay a trial, run its command under “replay” in a terminal, in the folder that
+            contains this page. The file recordings.sha256 contains the checksums of all recordings.</p>
             <p class="note">%s</p>
             """.formatted(
                         Html.text(table.title()),

@@ -197,7 +197,7 @@ public final class TeamList {
             }
         }
         if (programs.size() > MAX_TEAMS) {
-            throw new CalledWronglyException("A competition can have " + MAX_TEAMS + " teams, and there are "
+            throw new CalledWronglyException("A competition can have at most " + MAX_TEAMS + " teams, but there are "
                     + programs.size() + ". Split them into two competitions, each with its own results folder.");
         }
         List<TeamEntry> teams = new ArrayList<>();

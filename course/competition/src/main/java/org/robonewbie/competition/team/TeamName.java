@@ -48,7 +48,7 @@ record TeamName(String written, String ascii) {
             String proposal = near(written).written();
             throw new CalledWronglyException("\"" + name + "\" cannot be the name of a team. Use up to " + MAX_LETTERS
                     + " letters, digits and underscores, such as " + proposal + "; " + proposal
-                    + ".title can hold a longer one.");
+                    + ".title can hold a longer name.");
         }
         return new TeamName(written, shortened(inAscii(written), MAX_LETTERS));
     }

@@ -106,7 +106,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
         SourceFolder sources = new SourceFolder(copy(team, submitted), true);
         if (!sources.hasSources()) {
             throw new CalledWronglyException(
-                    "Team " + team.name() + ": the folder " + submitted.root() + " has no Java files.");
+                    "Team " + team.name() + ": the folder " + submitted.root() + " contains no Java files.");
         }
         return compiled(team, sources, submitted.root(), new Fingerprint());
     }

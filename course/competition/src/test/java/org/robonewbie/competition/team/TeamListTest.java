@@ -57,8 +57,9 @@ class TeamListTest {
         assertThat(TeamList.parse(ten)).hasSize(10);
         assertThatThrownBy(() -> TeamList.parse(eleven))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("A competition can have 10 teams, and there are 11. Split them into two competitions, each"
-                        + " with its own results folder.");
+                .hasMessage(
+                        "A competition can have at most 10 teams, but there are 11. Split them into two competitions, each"
+                                + " with its own results folder.");
     }
 
     @ParameterizedTest

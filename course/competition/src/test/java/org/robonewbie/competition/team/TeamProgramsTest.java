@@ -337,7 +337,7 @@ class TeamProgramsTest {
         assertThatThrownBy(() -> find("Red=rde"))
                 .hasMessageStartingWith(
                         "Team Red: there is no folder, jar, Java file, example or command \"rde\" (in the folder ");
-        assertThatThrownBy(() -> find("Red=empty")).hasMessageEndingWith("has no Java files.");
+        assertThatThrownBy(() -> find("Red=empty")).hasMessageEndingWith("contains no Java files.");
     }
 
     private TeamProgram find(String... lines) throws IOException {

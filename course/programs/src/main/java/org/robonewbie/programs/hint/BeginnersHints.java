@@ -30,9 +30,7 @@ final class BeginnersHints {
             new Hint(
                     "incompatible.ret.type",
                     "An overriding method must return the same type as the method it overrides."),
-            new Hint(
-                    "does.not.override.abstract",
-                    "Write the method that is named here, with exactly these parameters."),
+            new Hint("does.not.override.abstract", "Write the method named here, with exactly these parameters."),
             new Hint(
                     "method.does.not.override.superclass",
                     "Check the name and parameters of this method: the superclass has no such method."),

@@ -90,8 +90,8 @@ public record EnvironmentSpec(String task, List<String> options) {
         Optional<Supplier<Measure>> rewards =
                 reward().isEmpty() ? Optional.empty() : Optional.of(Measures.named(reward(), classes));
         if (rewards.isPresent() && tasks.get().learners() > 1) {
-            throw new IllegalArgumentException(
-                    "The reward " + reward() + " measures one robot, but several learn in " + task + ". Omit it.");
+            throw new IllegalArgumentException("The reward " + reward() + " measures a single robot, but " + task
+                    + " trains several. Omit the reward.");
         }
         return () -> IntStream.range(0, tasks.get().learners())
                 .mapToObj(robot -> runner(tasks.get(), robot, rewards))

@@ -112,7 +112,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         cyclesPerAction = drawn.cycles();
         if (cyclesPerAction > 1 && task.walk().isPresent()) {
             throw new IllegalArgumentException(
-                    "An action of this task corrects a single cycle of a walk. Omit the option cycles.");
+                    "An action of this task corrects a single cycle of a walk. Omit the option \"cycles\".");
         }
         cycles = 0;
         WorldState first = trial.now();

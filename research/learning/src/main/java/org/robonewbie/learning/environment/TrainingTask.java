@@ -205,7 +205,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                 .findFirst()
                 .ifPresent(name -> {
                     throw new IllegalArgumentException("This task has no option " + name.word()
-                            + ". Omit it, or choose the task WalkGait, JogGait or RunGait.");
+                            + ". Omit the option, or choose the task WalkGait, JogGait or RunGait.");
                 });
     }
 
@@ -225,7 +225,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      */
     protected void setCommand(WalkVelocity velocity) {
         throw new IllegalArgumentException(
-                "This task has no commanded velocity. Omit forward, left and turn, or choose the task Follow.");
+                "This task has no commanded velocity. Omit the options forward, left and turn, or choose the task"
+                        + " Follow.");
     }
 
     /**
@@ -235,7 +236,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * @throws IllegalArgumentException if the task has no target distance, which is the default
      */
     protected void setDistance(double metres) {
-        throw new IllegalArgumentException("This task has no target distance. Omit it, or choose the task KickTo.");
+        throw new IllegalArgumentException(
+                "This task has no target distance. Omit the option distance, or choose the task KickTo.");
     }
 
     /**

@@ -49,8 +49,8 @@ final class VectorEnvironment implements AutoCloseable {
 
     TrainingEnvironment environment(int index) {
         if (index < 0 || index >= environments.size()) {
-            throw new IllegalArgumentException(
-                    "There is no environment " + index + "; there are " + environments.size() + ", counted from 0.");
+            throw new IllegalArgumentException("Environment " + index + " does not exist. Valid indices are 0 to "
+                    + (environments.size() - 1) + ".");
         }
         return environments.get(index);
     }

@@ -86,7 +86,7 @@ public final class PolicyModel {
                     "No observed quantity of " + task() + " has a name that matches " + inputPattern + ".");
         }
         if (task.learners() > 1) {
-            throw new IllegalArgumentException("In " + task() + " several robots learn; choose a task for one.");
+            throw new IllegalArgumentException(task() + " trains several robots; choose a task for a single robot.");
         }
         int outputs = task.outputs().size();
         layers = hidden == 0 ? new int[] {inputs.size(), outputs} : new int[] {inputs.size(), hidden, outputs};

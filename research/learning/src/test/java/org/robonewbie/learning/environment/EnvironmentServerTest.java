@@ -84,7 +84,7 @@ class EnvironmentServerTest {
                         + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(
-                        "\1This task has no commanded velocity. Omit forward, left and turn, or choose the task Follow.");
+                        "\1This task has no commanded velocity. Omit the options forward, left and turn, or choose the task Follow.");
         assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were requested; request 1 to 1024.");
         assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
     }
@@ -118,7 +118,7 @@ class EnvironmentServerTest {
         assertThat(truth(act(order(2, 1, nothing)), "ball_x")).isEqualTo(2);
         assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(0))))).contains("\"ball\":[2.0,0.0,");
         assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(1)))))
-                .isEqualTo("\1There is no environment 1; there are 1, counted from 0.");
+                .isEqualTo("\1Environment 1 does not exist. Valid indices are 0 to 0.");
         assertThat(text(ask("Cball_x=2..1".getBytes(StandardCharsets.UTF_8))))
                 .startsWith("\1The option ball_x=2..1 is neither a number nor an ascending range");
     }
@@ -159,7 +159,7 @@ class EnvironmentServerTest {
         assertThat(fallen(answer, row)).isZero();
         assertThat(fallen(answer, 2 * row)).isOne();
         assertThat(answer.get(2 * row)).as("a fall ends no match").isZero();
-        assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy measures one robot");
+        assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy measures a single robot");
     }
 
     private static double fallen(ByteBuffer answer, int lastByteOfRow) {

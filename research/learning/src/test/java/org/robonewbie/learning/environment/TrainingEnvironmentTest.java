@@ -246,7 +246,7 @@ class TrainingEnvironmentTest {
     @Test
     void walkIsCorrectedCycleByCycle() {
         assertThatThrownBy(() -> environment("EngineRun", "cycles=2"))
-                .hasMessage("An action of this task corrects a single cycle of a walk. Omit the option cycles.");
+                .hasMessage("An action of this task corrects a single cycle of a walk. Omit the option \"cycles\".");
     }
 
     private static TrainingEnvironment following(String metresPerSecond) {

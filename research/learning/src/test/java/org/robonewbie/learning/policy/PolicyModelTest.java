@@ -106,14 +106,14 @@ class PolicyModelTest {
     @Test
     void refusesWhatCannotBeLearned() {
         assertThatThrownBy(() -> model("Match1v1"))
-                .hasMessage("In Match1v1 several robots learn; choose a task for one.");
+                .hasMessage("Match1v1 trains several robots; choose a task for a single robot.");
         assertThatThrownBy(() -> model("Stnd"))
                 .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? Available: ");
         assertThatThrownBy(() -> model("Stand", "speed=1")).hasMessageStartingWith("This task has no option speed. ");
         assertThatThrownBy(() -> model("Stand", "wing.*", 16))
                 .hasMessage("No observed quantity of Stand has a name that matches wing.*.");
         assertThatThrownBy(() -> model("Stand").initial(PolicyFile.shipped("walk")))
-                .hasMessageContaining("Is it for another task?");
+                .hasMessageContaining("Was the policy trained for another task?");
         assertThatThrownBy(() -> PolicySearch.evaluate(model("Stand"), 1, PolicyFile.shipped("walk")))
                 .hasStackTraceContaining("step.sine-of-2-pi-phase in 1, which this task does not observe.");
     }

@@ -101,7 +101,7 @@ final class SparseAssembly implements Assembly, Restorable {
     @Override
     public void remove() {
         if (!removable) {
-            throw new UnsupportedOperationException("The scenery cannot be removed. Drop the whole world instead.");
+            throw new UnsupportedOperationException("The scenery cannot be removed. Discard the whole world instead.");
         }
         world.remove(this, bodies);
         odeGeometries.remove();

@@ -75,7 +75,7 @@ final class OdeAssembly implements Assembly {
     @Override
     public void remove() {
         if (!removable) {
-            throw new UnsupportedOperationException("The scenery cannot be removed. Drop the whole world instead.");
+            throw new UnsupportedOperationException("The scenery cannot be removed. Discard the whole world instead.");
         }
         hinges.forEach(hinge -> hinge.joint().destroy());
         bodies.forEach(body -> body.body().destroy());

@@ -263,6 +263,6 @@ class SparsePhysicsWorldTest {
     void sceneryCannotBeRemoved() {
         assertThatThrownBy(() -> new SparsePhysicsWorld().scenery().remove())
                 .isInstanceOf(UnsupportedOperationException.class)
-                .hasMessage("The scenery cannot be removed. Drop the whole world instead.");
+                .hasMessage("The scenery cannot be removed. Discard the whole world instead.");
     }
 }
