@@ -16,11 +16,11 @@ public interface MessagePort extends AutoCloseable {
      */
     boolean receive() throws IOException;
 
-    /** {@return the last perception} */
+    /** {@return the last perceptor message} */
     PerceptorMessage message();
 
     /**
-     * Sends the answer to the last perception.
+     * Sends the response to the last perceptor message.
      *
      * @param commands the robot's commands, with {@code Synchronise} at the end
      * @throws IOException if the connection is broken

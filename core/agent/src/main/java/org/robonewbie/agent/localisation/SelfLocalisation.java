@@ -132,7 +132,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * {@return the robot's pose in the coordinates of its team; the centre of the field until two landmarks have been
+     * {@return the robot's pose in team coordinates; the centre of the field until two landmarks have been
      * seen in one picture}
      */
     public Pose2d pose() {

@@ -34,7 +34,7 @@ public final class BodyPoses {
         return new BodyPoses(model, poses.stream().map(torso::times).toList());
     }
 
-    /** {@return the pose of each link in the order of {@link NaoModel#links()}; the construction pose has no rotations} */
+    /** {@return the pose of each link in the order of {@link NaoModel#links()}; in the construction pose, no link is rotated} */
     public List<Pose> links() {
         return poses;
     }

@@ -4,8 +4,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
 /**
- * Group of bodies and colliders, such as a robot or a goal. Its colliders do not collide with each other, except in the
- * scenery.
+ * Group of bodies and colliders, such as a robot or a goal. Its colliders do not collide with each other, unless the
+ * assembly is the scenery.
  */
 public interface Assembly {
 

@@ -19,7 +19,7 @@ record BallOnWay(Translation2d ball, double turn) {
 
     /**
      * Creates the position from the ball's predicted position at the time when the robot's next steps take effect; the
-     * path leads from the ball's current position to the target, both in the coordinates of the team.
+     * path leads from the ball's current position to the target, both in team coordinates.
      */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();

@@ -63,7 +63,7 @@ public final class CloseDribble {
      * Dribbles towards a target. Call this in each cycle.
      *
      * @param world the world model
-     * @param target target of the ball in the coordinates of the team
+     * @param target where to take the ball, in team coordinates
      */
     public void bring(WorldModel world, Translation2d target) {
         Translation2d now = world.ballAtFeetIn(0).onMap(world.pose());

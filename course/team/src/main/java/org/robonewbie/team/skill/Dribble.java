@@ -47,7 +47,7 @@ public final class Dribble {
      * Dribbles towards a target; the ball may roll a metre ahead. Call this in each cycle.
      *
      * @param world the world model
-     * @param target target of the ball in the coordinates of the team
+     * @param target where to take the ball, in team coordinates
      */
     public void bring(WorldModel world, Translation2d target) {
         Translation2d ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());

@@ -59,8 +59,8 @@ public final class Footwork {
      * about once every two minutes. In a small team no other player can take over, so its players walk more slowly.
      *
      * @param world the world model
-     * @param place target in the coordinates of the team
-     * @param headingDegrees final heading in the coordinates of the team
+     * @param place target in team coordinates
+     * @param headingDegrees final heading in team coordinates
      * @return the path, for use in drawings
      */
     public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
@@ -86,8 +86,8 @@ public final class Footwork {
      * Follows a moving target closely: in situations in which {@link #go} would stand still, the robot takes small steps.
      *
      * @param world the world model
-     * @param place target in the coordinates of the team
-     * @param headingDegrees heading in the coordinates of the team
+     * @param place target in team coordinates
+     * @param headingDegrees heading in team coordinates
      */
     public void shadow(WorldModel world, Translation2d place, double headingDegrees) {
         Translation2d next = place.seenFrom(world.pose());
@@ -146,7 +146,7 @@ public final class Footwork {
      * is short if the robot is far away, because the detour is small.
      *
      * @param world the world model
-     * @param directionDegrees intended direction of the ball in the coordinates of the team
+     * @param directionDegrees intended direction of the ball in team coordinates
      * @return time in seconds, in addition to the walk to the ball
      */
     public static double aroundSeconds(WorldModel world, double directionDegrees) {

@@ -38,7 +38,7 @@ public final class Goalkeeping {
      * Returns the position at which the keeper should stand.
      *
      * @param world the world model
-     * @return the position in the coordinates of the team
+     * @return the position in team coordinates
      */
     public static Translation2d place(WorldModel world) {
         Translation2d goal = world.ourGoal();

@@ -59,7 +59,7 @@ public final class Kick {
      * Estimates the time that a robot needs from reaching the ball until the foot hits it.
      *
      * @param world the world model
-     * @param directionDegrees direction of the kick in the coordinates of the team
+     * @param directionDegrees direction of the kick in team coordinates
      * @param kind kind of kick
      * @return time in seconds, in addition to the walk to the ball
      */
@@ -77,7 +77,7 @@ public final class Kick {
      * Approaches the ball, or kicks it if it is within reach. Call this in each cycle.
      *
      * @param world the world model
-     * @param directionDegrees direction of the kick in the coordinates of the team
+     * @param directionDegrees direction of the kick in team coordinates
      */
     public void kick(WorldModel world, double directionDegrees) {
         Translation2d ball = world.ballFromHere();

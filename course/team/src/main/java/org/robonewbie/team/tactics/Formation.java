@@ -40,7 +40,7 @@ public final class Formation {
     /**
      * Returns the most important positions.
      *
-     * @param ball position of the ball in the coordinates of the team
+     * @param ball position of the ball in team coordinates
      * @param players number of players
      * @return one position per player, at most nine, by role
      */

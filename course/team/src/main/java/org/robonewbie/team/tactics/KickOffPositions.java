@@ -37,7 +37,7 @@ public final class KickOffPositions {
      * @param kicksOff whether this team takes the kick-off
      * @param small whether the team is too small for a keeper
      * @param field the field
-     * @return the pose in the coordinates of the team
+     * @return the pose in team coordinates
      */
     public static Pose2d place(int number, boolean kicksOff, boolean small, SoccerField field) {
         double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;

@@ -8,8 +8,8 @@ import org.robonewbie.team.talk.TeamRole;
  *
  * @param role its role
  * @param action its action
- * @param target target of the player or of the ball in the coordinates of the team
- * @param headingDegrees final heading of the player, or direction of the kick, in the coordinates of the team
+ * @param target target of the player or of the ball in team coordinates
+ * @param headingDegrees final heading of the player, or direction of the kick, in team coordinates
  * @param receiver player number of the receiver of a pass; 0 for none
  */
 public record Plan(TeamRole role, Action action, Translation2d target, double headingDegrees, int receiver) {

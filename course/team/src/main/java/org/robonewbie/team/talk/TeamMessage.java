@@ -25,10 +25,10 @@ import org.robonewbie.nao.geometry.Translation2d;
  * </table>
  *
  * @param number player number of the speaker, 1 to 11
- * @param pose its pose in the coordinates of the team
+ * @param pose its pose in team coordinates
  * @param fallen whether it has fallen
  * @param role its role
- * @param ball position of the ball in the coordinates of the team
+ * @param ball position of the ball in team coordinates
  * @param ballVelocity velocity of the ball in metres per second
  * @param ballAgeSeconds seconds since it last saw the ball, at most {@link #MAX_AGE_SECONDS}
  * @param secondsToBall seconds until it could play the ball

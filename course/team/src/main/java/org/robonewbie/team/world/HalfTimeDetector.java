@@ -15,7 +15,7 @@ final class HalfTimeDetector {
     private Pose2d beamedTo = Pose2d.ORIGIN;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Records that the robot has beamed to a pose, in the coordinates of the team. */
+    /** Records that the robot has beamed to a pose, in team coordinates. */
     void beamed(Pose2d place, double seconds) {
         beamedTo = place;
         beamedSeconds = seconds;

@@ -16,7 +16,7 @@ public record Mate(TeamMessage message, double heardSeconds) {
         return message.number();
     }
 
-    /** {@return its position in the coordinates of the team} */
+    /** {@return its position in team coordinates} */
     public Translation2d place() {
         return message.pose().translation();
     }

@@ -23,7 +23,7 @@ import org.robonewbie.team.talk.TeamMessage;
 
 /**
  * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
- * access the game through it, in the coordinates of the team.
+ * access the game through it, in team coordinates.
  *
  * <p>Information that the player's own sensors have not provided for a while is taken from teammates' messages, which
  * contain their poses and ball sightings.
@@ -186,7 +186,7 @@ public final class WorldModel {
     /**
      * Records that the robot has beamed.
      *
-     * @param place target pose in the coordinates of the team
+     * @param place target pose in team coordinates
      */
     public void beamed(Pose2d place) {
         self.setPose(sides.convert(place));
@@ -257,7 +257,7 @@ public final class WorldModel {
         return begunInGoal;
     }
 
-    /** {@return the position of the robot in the coordinates of the team} */
+    /** {@return the position of the robot in team coordinates} */
     public Translation2d place() {
         return pose.translation();
     }

@@ -1,7 +1,7 @@
 package org.robonewbie.studio.search;
 
 /**
- * The task of an optimisation.
+ * What a search optimises.
  *
  * @param subject what is optimised, such as {@code kick-right}
  * @param objective the measure to improve, such as {@code kick-distance}

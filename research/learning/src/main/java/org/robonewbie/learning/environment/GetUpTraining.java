@@ -18,7 +18,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: get up from lying on the front, and keep standing. Reward per second: uprightness of the torso times its
+ * Task: get up from lying on its front, and keep standing. Reward per second: uprightness of the torso times its
  * height, 1 for a standing robot. The episode is never terminated, so getting up early yields the largest return.
  */
 class GetUpTraining extends TrainingTask {

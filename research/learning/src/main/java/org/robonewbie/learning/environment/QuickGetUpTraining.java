@@ -9,7 +9,7 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 
 /**
- * Task: get up from lying on the front within 4 s by correcting the motion {@code quick-stand-up-from-front}, with the
+ * Task: get up from lying on its front within 4 s by correcting the motion {@code quick-stand-up-from-front}, with the
  * reward of {@link GetUpTraining}. The robot falls with its arms in random positions, so it lies in a different posture
  * in each episode.
  */

@@ -76,7 +76,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
      * Draws the candidates of the next generation.
      *
      * @param state the state of the search
-     * @return the candidates; the two of a pair are adjacent
+     * @return the candidates: pairs of opposite mutations, one pair after the other
      */
     public List<double[]> ask(State state) {
         List<double[]> candidates = new ArrayList<>();
