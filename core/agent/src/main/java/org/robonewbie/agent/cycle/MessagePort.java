@@ -9,7 +9,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 public interface MessagePort extends AutoCloseable {
 
     /**
-     * Waits for the next perception.
+     * Waits for the next perceptor message.
      *
      * @return false if there are no more
      * @throws IOException if the connection is broken

@@ -15,7 +15,7 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * The components of one robot, wired together: they receive a perception and return the commands that answer it.
+ * The components of one robot, wired together: they receive a perceptor message and return the commands in response.
  *
  * <pre>{@code
  * RobotRuntime robot = new RobotRuntime("Walker");

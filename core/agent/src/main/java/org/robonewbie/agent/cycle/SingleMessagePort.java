@@ -4,18 +4,18 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** Message port without a simulator: delivers one perception at a time and keeps the answer. */
+/** Message port without a simulator: delivers one perceptor message at a time and keeps the response. */
 public final class SingleMessagePort implements MessagePort {
 
     private PerceptorMessage message = PerceptorMessage.NOTHING;
     private boolean isNew;
     private List<EffectorCommand> answer = List.of();
 
-    /** Creates a port without a perception. */
+    /** Creates a port without a perceptor message. */
     public SingleMessagePort() {}
 
     /**
-     * Sets the next perception.
+     * Sets the next perceptor message.
      *
      * @param newMessage the perceptors' readings
      */
@@ -25,7 +25,7 @@ public final class SingleMessagePort implements MessagePort {
         answer = List.of();
     }
 
-    /** {@return the answer to the last perception; empty if there was none} */
+    /** {@return the response to the last perceptor message; empty if there was none} */
     public List<EffectorCommand> answer() {
         return answer;
     }
