@@ -27,7 +27,7 @@ import picocli.CommandLine.ScopeType;
             "",
             "Examples:",
             "  bench motions --seeds 3     try each shipped motion three times",
-            "  bench server --fast         let 22 robots play over TCP",
+            "  bench server --fast         play with 22 robots over TCP",
             "  bench speed --robots 1,22   how fast is a step?",
             "  bench fidelity              how close is it to the real rcssserver3d?",
             "  bench speed --help          help for one command",
@@ -131,7 +131,7 @@ public final class Bench {
     }
 
     @Command(
-            description = "Let each example agent play many times.",
+            description = "Play many games with each example agent.",
             footer = {"", "Example:", "  bench agents                 20 games of each example agent"})
     void agents(
             @Mixin Trials trials,
@@ -148,7 +148,7 @@ public final class Bench {
     }
 
     @Command(
-            description = "Let the example team play halves against a team of the same size.",
+            description = "Play halves with the example team against a team of the same size.",
             footer = {
                 "",
                 "Examples:",

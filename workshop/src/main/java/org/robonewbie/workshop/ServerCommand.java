@@ -14,7 +14,7 @@ import picocli.CommandLine.Option;
 @Command(
         name = "server",
         description =
-                "Let many robots play full matches over TCP, to check whether the server keeps up with real time.",
+                "Play full matches with many robots over TCP, to check whether the server keeps up with real time.",
         footer = {
             "",
             "Examples:",

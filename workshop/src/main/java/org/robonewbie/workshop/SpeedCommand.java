@@ -78,7 +78,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--threads",
             paramLabel = "N",
-            description = "Threads of the embedded server and of the agents, 1 to 16 (default: 1).")
+            description = "Number of threads for the embedded server and for the agents, 1 to 16 (default: 1).")
     private int threads = 1;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")

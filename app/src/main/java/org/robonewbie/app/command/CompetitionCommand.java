@@ -141,7 +141,8 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--computing-time",
             paramLabel = "T",
-            description = "Processor time limit per program and trial, in seconds (default: ${DEFAULT-VALUE}).")
+            description =
+                    "Processor time limit for each program in each trial, in seconds (default: ${DEFAULT-VALUE}).")
     private double processorSeconds = Limits.DEFAULT.processorSeconds();
 
     @Mixin

@@ -22,8 +22,9 @@ final class FenceOption {
     @Option(
             names = "--fence",
             paramLabel = "WHEN",
-            description = "Run programs in a bubblewrap sandbox (Linux): auto if available, required, or none (default:"
-                    + " ${DEFAULT-VALUE}).")
+            description =
+                    "Run programs in a bubblewrap sandbox (Linux): auto (if available), required, or none (default:"
+                            + " ${DEFAULT-VALUE}).")
     private When fence = When.AUTO;
 
     /**

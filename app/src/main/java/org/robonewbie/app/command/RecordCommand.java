@@ -81,7 +81,7 @@ final class RecordCommand implements Callable<Integer> {
     @Option(
             names = "--runs-per-file",
             paramLabel = "N",
-            description = "Join the tables of N runs into one file (default: 1).")
+            description = "Combine the tables of N runs in one file (default: 1).")
     private int runsPerFile = 1;
 
     @Option(names = "--threads", paramLabel = "N", description = "Number of parallel runs (default: one per core).")

@@ -82,7 +82,7 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(names = "--fast", description = "Run as fast as possible; implies --sync.")
     private boolean fast;
 
-    @Option(names = "--no-noise", description = "Turn off the noise of vision.")
+    @Option(names = "--no-noise", description = "Turn off vision noise.")
     private boolean withoutNoise;
 
     @Option(

@@ -79,7 +79,7 @@ final class StudioCommand implements Callable<Integer> {
     @Option(
             names = "--port",
             paramLabel = "N",
-            description = "Port of the studio's pages (default: 3400, or any free one).")
+            description = "Port for the studio's pages (default: 3400, or any free one).")
     private int port;
 
     @Option(

@@ -11,7 +11,7 @@ public final class SearchStudioOptions {
     @Option(names = "--no-browser", description = "Print the address of the page instead of opening a browser.")
     boolean isWithoutBrowser;
 
-    @Option(names = "--port", paramLabel = "N", description = "Port of the page (default: 3400, or any free one).")
+    @Option(names = "--port", paramLabel = "N", description = "Port for the page (default: 3400, or any free one).")
     int port;
 
     /** Creates the default options. */

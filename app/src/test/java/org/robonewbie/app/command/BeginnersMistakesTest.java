@@ -149,7 +149,7 @@ class BeginnersMistakesTest {
         Ended second = robonewbie("grade");
 
         assertThat(first.output())
-                .containsOnlyOnce("progress.json is damaged and is treated as empty. Your next try renames it to ")
+                .containsOnlyOnce("progress.json is damaged and is treated as empty. Your next attempt renames it to ")
                 .contains("progress.json.damaged");
         assertThat(folder.resolve("progress.json.damaged")).content().endsWith("raise-a");
         assertThat(second.output()).doesNotContain("damaged");

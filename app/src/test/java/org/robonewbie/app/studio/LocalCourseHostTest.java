@@ -166,7 +166,7 @@ class LocalCourseHostTest {
         assertThat(help("GET", "help").getAsJsonArray("hints")).isEmpty();
         assertThat(help("POST", "hint").getAsJsonArray("hints")).hasSize(1);
         assertThat(help("GET", "help").get("triesLeft").getAsInt()).isEqualTo(3);
-        assertThatThrownBy(() -> help("POST", "solution")).hasMessageContaining("after 3 graded tries: 3 more");
+        assertThatThrownBy(() -> help("POST", "solution")).hasMessageContaining("after 3 graded attempts: 3 more");
     }
 
     @Test

@@ -122,7 +122,7 @@ final class BetterPassTask implements Task {
                     1,
                     finding,
                     "All players must stay within 0.9 m of where they start: number 1 only gets"
-                            + " behind the ball and stops after its kick, and its team mates wait.");
+                            + " behind the ball and stops after its kick, and its teammates wait.");
         }
         boolean first = nearest[0] <= REACHED_METRES;
         boolean second = nearest[1] <= REACHED_METRES;
@@ -131,14 +131,14 @@ final class BetterPassTask implements Task {
                 : Score.failed(
                         first || second ? 3 : 0,
                         finding,
-                        "For each team mate, compute how close an opponent is to the line from the ball"
-                                + " to that team mate: use Translation2d.distanceToSegment. Kick.kick walks behind"
+                        "For each teammate, compute how close an opponent is to the line from the ball"
+                                + " to that teammate: use Translation2d.distanceToSegment. Kick.kick walks behind"
                                 + " the ball automatically; keep giving it the same direction until the ball rolls.");
     }
 
     private String describe(int number) {
         return Double.isInfinite(nearest[number])
                 ? "not tried"
-                : String.format(Locale.ROOT, "at best %.2f m from the free team mate", nearest[number]);
+                : String.format(Locale.ROOT, "at best %.2f m from the free teammate", nearest[number]);
     }
 }

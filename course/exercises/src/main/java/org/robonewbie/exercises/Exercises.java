@@ -141,7 +141,7 @@ public final class Exercises {
                     "Passing",
                     "Pass and receive",
                     90,
-                    "Play the ball to a team mate, who comes to meet it.",
+                    "Play the ball to a teammate, who comes to meet it.",
                     20,
                     PassingTask::new),
             new Exercise(
@@ -186,7 +186,7 @@ public final class Exercises {
                     "TeamEyes",
                     "Eyes of a team",
                     45,
-                    "Raise the arm on the side of a ball that only your team mate sees.",
+                    "Raise the arm on the side of a ball that only your teammate sees.",
                     24,
                     TeamEyesTask::new),
             new Exercise(
@@ -222,7 +222,7 @@ public final class Exercises {
                     "BetterPass",
                     "A better pass",
                     90,
-                    "Pass to the team mate with a clear passing lane, twice.",
+                    "Pass to the teammate with a clear passing lane, twice.",
                     50,
                     BetterPassTask::new),
             new Exercise(

@@ -71,7 +71,7 @@ final class GoToTheBallTask implements Task {
             return Score.failed(
                     nearest <= NEAR_METRES ? 4 : 1,
                     finding,
-                    "Within 0.5 m of the ball and facing it, the left shoulder must be above 60° for 1 s.");
+                    "When the robot is within 0.5 m of the ball and faces it, the left shoulder must be above 60° for 1 s.");
         }
         return Score.passed(String.format(Locale.ROOT, "%s, done after %.1f s", finding, done.value()));
     }

@@ -14,7 +14,7 @@ class BeginnersHintsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "int a = 1                        | Something is missing just before this place",
+                "int a = 1                        | Something is missing just before this point",
                 "String s = 'hello';              | Write strings between",
                 "String s = \"hello;              | needs a \" at its end",
                 "int a = \"x\";                   | does not fit here",

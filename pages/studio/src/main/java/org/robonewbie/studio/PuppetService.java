@@ -148,7 +148,7 @@ final class PuppetService {
     Puppet puppet(PlayerNumber player) {
         return Optional.ofNullable(puppets.get(player))
                 .orElseThrow(() -> new IllegalStateException(
-                        "This robot is controlled by a program. Only puppets can be steered by hand."));
+                        "This robot is controlled by a program. Only puppets can be controlled manually."));
     }
 
     void close() {

@@ -164,7 +164,7 @@ class PageFeedTest {
 
         assertThat(sentences())
                 .containsExactly(
-                        "This robot is controlled by a program. Only puppets can be steered by hand.",
+                        "This robot is controlled by a program. Only puppets can be controlled manually.",
                         "Unknown command \"fly\". Reload the page.");
     }
 

@@ -87,7 +87,7 @@ class ProgramInThePageTest {
         "nao.setJointSped(0);, Did you mean setJointSpeed?",
         "'new Vector3(1, 2, 3);', Add at the top of the file: import org.robonewbie.nao.Vector3;",
         "org.robonewbie.nao.motion.Posture.ZERO.zzz();, Posture has the methods",
-        "int a = 1, Something is missing just before this place"
+        "int a = 1, Something is missing just before this point"
     })
     void diagnosticHasAHint(String statement, String advice) {
         type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement

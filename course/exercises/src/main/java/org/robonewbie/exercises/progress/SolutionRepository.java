@@ -108,7 +108,7 @@ public record SolutionRepository(Source source) {
                     ? new Answer(true, text.get().replaceFirst("(?m)^package .*;(\r?\n)+", ""))
                     : new Answer(
                             false,
-                            "A solution is shown after " + ExerciseProgress.TRIES_BEFORE_SOLUTION + " graded tries: "
+                            "A solution is shown after " + ExerciseProgress.TRIES_BEFORE_SOLUTION + " graded attempts: "
                                     + (missing == 1 ? "one more." : missing + " more."));
         } catch (IOException unreadable) {
             return new Answer(false, "The solution cannot be shown. " + unreadable.getMessage());

@@ -77,7 +77,7 @@ class HelpTest {
 
     @Test
     void solutionIsShownAfterThreeTriesOrASuccess() {
-        assertThat(shelf().ask(KICK, ExerciseProgress.NONE).text()).contains("after 3 graded tries: 3 more.");
+        assertThat(shelf().ask(KICK, ExerciseProgress.NONE).text()).contains("after 3 graded attempts: 3 more.");
         assertThat(shelf().ask(KICK, new ExerciseProgress(2, 2, false, 0, 0, false, ""))
                         .text())
                 .endsWith("one more.");

@@ -10,7 +10,7 @@ final class BeginnersHints {
     private static final List<Hint> HINTS = List.of(
             new Hint("premature.eof", "A brace is not closed: count { and }, and add the } that is missing."),
             new Hint("unexpected.type", "Compare with ==; a single = assigns a value to a variable."),
-            new Hint("expected", "Something is missing just before this place, often a ; or a ) at the end."),
+            new Hint("expected", "Something is missing just before this point, often a ; or a ) at the end."),
             new Hint(
                     "not.stmt",
                     "This computes something but does nothing with it. Call a method or assign it to a variable."),

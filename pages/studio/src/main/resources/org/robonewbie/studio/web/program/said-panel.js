@@ -18,7 +18,7 @@ export class SaidPanel {
     this.sliders = element('div', {
       id: 'program-sliders',
       role: 'group',
-      'aria-label': 'Adjustable numbers of the program',
+      'aria-label': 'Adjustable numbers in the program',
     });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });

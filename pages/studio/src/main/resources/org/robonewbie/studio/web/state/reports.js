@@ -19,7 +19,7 @@ export function phaseSentence({ phase, refusal }, { waiting, running, lost, ende
     case 'waiting':
       return { tone: '', text: waiting };
     case 'lost':
-      return { tone: 'trouble', text: `The program has ended or does not respond. ${lost}` };
+      return { tone: 'trouble', text: `The program has ended or is not responding. ${lost}` };
     case 'refused':
       return { tone: 'trouble', text: refusal };
     case 'ended':
