@@ -16,7 +16,7 @@ export class AgentChoice {
     /** Agents that play alongside the selected one or the user's program. */
     this.others = others.slice(0, MAX_OTHERS);
     this.list = choice({ id: 'page-agent', 'aria-label': 'Playing agent' }, [], (agent) => this.#take(agent));
-    const title = 'Adds an agent, up to four in total; every second agent plays against the first';
+    const title = 'Adds an agent, up to four in total; the second and fourth play against the first and third';
     this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => this.#add(agent));
     const again = button('⟲', 'Restarts with a new world', () => this.#begin(), {
       id: 'page-again',

@@ -93,19 +93,19 @@ final class SpeedCommand implements Callable<Integer> {
             description = "Measure the server on the given computer instead of the embedded one.")
     private Optional<String> host = Optional.empty();
 
-    @Option(names = "--port", paramLabel = "N", description = "Agent port of the measured server (default: 3100).")
+    @Option(names = "--port", paramLabel = "N", description = "Agent port of the server to measure (default: 3100).")
     private int port = 3100;
 
     @Option(
             names = "--monitor-port",
             paramLabel = "N",
-            description = "Monitor and trainer port of the measured server (default: 3200).")
+            description = "Monitor and trainer port of the server to measure (default: 3200).")
     private int monitorPort = 3200;
 
     @Option(
             names = "--pid",
             paramLabel = "N",
-            description = "Process ID of the measured server, if it runs on this computer, to measure its"
+            description = "Process ID of the server to measure, if it runs on this computer, to measure its"
                     + " processor time.")
     private Optional<Long> processId = Optional.empty();
 

@@ -12,7 +12,7 @@ import picocli.CommandLine.Option;
 /** {@code robonewbie doctor}: checks the installation. */
 @Command(
         name = "doctor",
-        description = "Check the installation, or a computer room before a course, and report what to fix.",
+        description = "Check this computer, or each computer of a room before a course, and report what needs fixing.",
         footer = {
             "",
             "Examples:",

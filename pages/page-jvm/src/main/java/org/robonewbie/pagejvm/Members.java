@@ -255,7 +255,7 @@ final class Members {
         return all;
     }
 
-    /** Calls any method outside of an instruction and waits for its result. */
+    /** Calls a method on behalf of the machine, not of an instruction of the program, and waits for its result. */
     @Nullable
     Object callAndWait(Member method, @Nullable Object target, @Nullable Object[] arguments) {
         Descriptor type = Descriptor.of(method.descriptor());

@@ -19,10 +19,10 @@ final class RecordingFormat {
     /** State record at the start of an excerpt that is sent to a browser page; never used in a file. */
     static final int STATE = 7;
 
-    /** Kind of a record that lists all objects on the pitch; absent in a soccer match. */
+    /** Kind of record that lists all objects on the pitch; absent in a soccer match. */
     static final int THINGS = 8;
 
-    /** Kind of a record that contains the new pose of one object. */
+    /** Kind of record that contains the new pose of one object. */
     static final int MOVED_THING = 9;
 
     /** Resolution of positions: 0.1 mm. */

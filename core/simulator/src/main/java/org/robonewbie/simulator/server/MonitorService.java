@@ -91,7 +91,7 @@ final class MonitorService {
         orders.execute(order);
     }
 
-    /** Refuses all orders of a view-only monitor except a request for the full state. */
+    /** Refuses all orders from a view-only monitor except a request for the full state. */
     private void orderOfSpectator(Order order) {
         if (order instanceof Order.RequestFullState) {
             order(order);

@@ -136,8 +136,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the walk that an action corrects: the action replaces the output of this policy's network; by default
-     * none}
+     * {@return the walking policy whose correction the agent learns: an action takes the place of the output of the policy's
+     * network; empty by default}
      */
     public Optional<Policy> walk() {
         return Optional.empty();
