@@ -31,11 +31,15 @@ class RunCommandTest {
     }
 
     @Test
-    void missingAgentIsAskedFor() {
+    void missingAgentIsAskedForAndEachExampleIsDescribed() {
         Printed answer = Printed.by("run");
 
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err()).contains("Which agent do you want to run?");
+        assertThat(answer.err().lines().filter(line -> line.startsWith("  Agent_")))
+                .contains("  Agent_BasicStructure         Lesson 2: the basic structure of an agent.")
+                .hasSizeGreaterThan(15)
+                .allMatch(line -> line.matches("  Agent_\\w+ +[A-Z][^{}]*\\."));
     }
 
     @Test

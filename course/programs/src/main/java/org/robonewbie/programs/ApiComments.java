@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.robonewbie.programs.completion.CommentCollector;
 
 /** Reads the framework's Javadoc comments from its packaged sources. */
@@ -17,6 +19,11 @@ final class ApiComments {
 
     /** Resource folder that contains the packaged sources. */
     static final String FOLDER = "/META-INF/sources/";
+
+    /** The first comment of a file up to the end of its first sentence. */
+    private static final Pattern COMMENT = Pattern.compile("(?s)/\\*\\*(.*?\\.)\\s");
+
+    private static final Pattern TAG = Pattern.compile("\\{@\\w+ ([^}]*)}");
 
     /** Comments that have been read, by class and member, such as {@code setJointSpeed/2}. */
     private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
@@ -41,6 +48,16 @@ final class ApiComments {
         } catch (IOException unreadable) {
             return Optional.empty();
         }
+    }
+
+    /** Returns the first sentence of a class's comment without tags; empty if its source is not packaged. */
+    static String summary(String className) {
+        return source(className)
+                .map(COMMENT::matcher)
+                .filter(Matcher::find)
+                .map(comment -> comment.group(1).replaceAll("\\s*\n \\*\\s?", " ").strip())
+                .map(text -> TAG.matcher(text).replaceAll("$1"))
+                .orElse("");
     }
 
     private static Map<String, String> read(String className) {

@@ -93,10 +93,11 @@ public final class ProgramFinder {
         return programOf(ownClass(className).orElseThrow(() -> unknown(className)));
     }
 
-    /** {@return the examples, one per line} */
+    /** {@return the examples, one per line, each with its summary} */
     public String listOfExamples() {
-        return examples.keySet().stream()
-                .map(name -> "  " + name)
+        return examples.entrySet().stream()
+                .map(example -> String.format("  %-28s %s", example.getKey(), ApiComments.summary(example.getValue()))
+                        .stripTrailing())
                 .collect(Collectors.joining(System.lineSeparator(), "The examples are:" + System.lineSeparator(), ""));
     }
 
