@@ -4,8 +4,9 @@ import {
   eye,
   fitted,
   moved,
-  openingShot,
   overview,
+  robotCentre,
+  robotView,
   turned,
   zoomed,
   zoomedTo,
@@ -71,9 +72,31 @@ test('zooming to a point keeps its direction from the camera', () => {
   assert.ok(isNear(direction(near), direction(view)));
 });
 
-test('the opening shot looks past the robot at ball and goal', () => {
-  const shot = openingShot([-0.8, 0.3, 0.29], [0, 0, 0.04], [6, 0, 0], FREE);
+test('a robot is seen from its front left', () => {
+  for (const heading of [-120, 0, 90, 180]) {
+    const [x, y] = [-5, 1];
+    const [ex, ey, ez] = eye(robotView([x, y, 0.29], heading, FREE));
+    const [sine, cosine] = [Math.sin((heading * Math.PI) / 180), Math.cos((heading * Math.PI) / 180)];
+    const forward = cosine * (ex - x) + sine * (ey - y);
+    const left = cosine * (ey - y) - sine * (ex - x);
 
-  assert.ok(eye(shot)[0] < -0.8, 'from behind the robot');
-  assert.ok(shot.distance >= 2.1 && shot.distance < 4);
+    assert.ok(forward > left && left > 0.4 * forward, `in front, and to the left, for ${heading}°`);
+    assert.ok(ez > 0.5, 'from slightly above');
+  }
+});
+
+test('a robot fills half of the height, whatever the shape of the picture', () => {
+  for (const free of [FREE, { across: 0.6, up: 0.2 }, { across: 0.3, up: 0.34 }]) {
+    const { distance } = robotView(robotCentre([3, -2, 0.4]), 45, free);
+
+    const share = 0.29 / distance / free.up;
+
+    assert.ok(share > 0.45 && share < 0.55, `${share} of ${free.up}`);
+  }
+});
+
+test('a robot with its arms spread fits into a narrow picture', () => {
+  const { distance } = robotView([0, 0, 0.29], 0, { across: 0.1, up: 0.3 });
+
+  assert.ok(0.3 / distance <= 0.1001);
 });

@@ -1,6 +1,7 @@
 /** Camera controller: provides five camera modes and moves the view with mouse and keys. */
-import { POSE, rotated } from '../state/kinematics.js';
-import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../state/view-point.js';
+import { headingDegrees, POSE, rotated } from '../state/kinematics.js';
+import { hasJumped } from '../state/smoothing.js';
+import { eye, moved, overview, robotCentre, robotView, turned, zoomed, zoomedTo } from '../state/view-point.js';
 
 /**
  * @typedef {import('../state/view-point.js').ViewPoint} ViewPoint
@@ -12,7 +13,7 @@ import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../
 /** The camera modes in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
 export const CAMERAS = [
   { mode: 'orbit', name: 'Free', hint: 'Drag to turn the view; drag with the right button to move it' },
-  { mode: 'follow', name: 'Follow', hint: 'Keeps the selected robot in the centre' },
+  { mode: 'follow', name: 'Follow', hint: 'From the selected robot’s front left, with the robot in the centre' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
   { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the selected robot’s eyes' },
   { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },
@@ -20,7 +21,6 @@ export const CAMERAS = [
 
 const FIELD_OF_VIEW = 38;
 const EYE_FIELD_OF_VIEW = 75;
-const FOLLOW_HEIGHT = 0.29;
 const CATCH_UP_PER_SECOND = 6;
 
 export class CameraController {
@@ -41,10 +41,14 @@ export class CameraController {
     this.shown = this.view;
     /** Whether the camera has reached its target view. */
     this.isStill = false;
-    /** The latest overview of the pitch, which is `view` until the user turns the camera. @type {ViewPoint | undefined} */
-    this.whole = undefined;
-    /** Whether the opening shot of a single robot is still to be composed. */
-    this.isOpeningShot = false;
+    /** Whether the view is the one that the mode chose: the user has neither turned nor zoomed nor moved it. */
+    this.isComposed = true;
+    /** Whether the next picture shows the view without a transition. */
+    this.isCut = true;
+    /** Pose of the followed robot's torso in the last picture. @type {number[] | undefined} */
+    this.followed = undefined;
+    /** Heading of the followed robot when the view was composed. */
+    this.headingDegrees = 0;
     /** @type {Scene | undefined} */
     this.scene = undefined;
   }
@@ -55,7 +59,6 @@ export class CameraController {
    * @param {Scene} scene
    */
   setScene(scene) {
-    const first = this.scene === undefined;
     this.scene = scene;
     this.chosen = Math.min(this.chosen, Math.max(0, scene.robots.length - 1));
     const isLost = this.#needsRobot(this.mode) && scene.robots.length === 0;
@@ -63,11 +66,8 @@ export class CameraController {
       return;
     }
     this.setMode(scene.robots.length === 1 ? 'follow' : 'orbit');
-    this.isOpeningShot = this.mode === 'follow';
+    this.isCut ||= this.mode === 'follow';
     this.userHasChosen = false;
-    if (first) {
-      this.shown = this.view;
-    }
   }
 
   get #followsSomething() {
@@ -86,45 +86,41 @@ export class CameraController {
     }
     this.userHasChosen = true;
     this.isStill = false;
-    this.isOpeningShot = false;
     this.mode = mode;
-    if (mode === 'follow') {
-      this.view = { ...this.view, azimuthDegrees: -38, elevationDegrees: 13, distance: 2.1 };
-    } else if (mode === 'ball') {
+    this.isComposed = true;
+    this.followed = undefined;
+    if (mode === 'ball') {
       this.view = { ...this.view, azimuthDegrees: -90, elevationDegrees: 24, distance: 6.5 };
-    } else if (mode !== 'eye') {
-      this.#showAll();
     }
+    this.refit();
   }
 
-  #showAll() {
-    const field = this.scene?.field ?? { length: 12, width: 8 };
-    this.whole = overview(field, this.free(), this.mode === 'top');
-    this.view = this.whole;
-  }
-
-  /** Adapts the view after the area not covered by panels has changed. */
+  /** Adapts an overview of the pitch after the area not covered by panels has changed. */
   refit() {
-    if (this.view === this.whole) {
-      this.#showAll();
+    if (this.isComposed && !this.#followsSomething) {
+      const field = this.scene?.field ?? { length: 12, width: 8 };
+      this.view = overview(field, this.free(), this.mode === 'top');
     }
   }
 
   /** @param {ViewPoint} view applied immediately, without a transition */
   jumpTo(view) {
     this.view = view;
-    this.shown = view;
+    this.isComposed = false;
+    this.isCut = true;
     this.isStill = false;
   }
 
-  /** Copies the view of another camera; an overview of the pitch is fitted to this camera's picture. @param {CameraController} other */
-  lookAs({ mode, chosen, shown, view, whole }) {
+  /** Copies the view of another camera; a view that it composed is fitted to this camera's picture. @param {CameraController} other */
+  lookAs({ mode, chosen, shown, isComposed, followed, headingDegrees: heading }) {
     this.chosen = chosen;
     this.setMode(mode);
-    if (view !== whole) {
-      this.view = shown;
+    this.followed = followed;
+    this.headingDegrees = heading;
+    if (!isComposed) {
+      this.jumpTo(shown);
     }
-    this.shown = this.view;
+    this.isCut = true;
   }
 
   /** @param {number} robot index of the followed robot */
@@ -143,7 +139,7 @@ export class CameraController {
 
   /** @param {number} factor zoom factor; below 1 zooms in @param {number[]} [point] point that stays fixed on the screen */
   zoom(factor, point) {
-    this.isOpeningShot = false;
+    this.isComposed = false;
     this.view = point && !this.#followsSomething ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
   }
 
@@ -158,7 +154,7 @@ export class CameraController {
 
   #take() {
     this.userHasChosen = true;
-    this.isOpeningShot = false;
+    this.isComposed = false;
     if (this.mode === 'top') {
       this.mode = 'orbit';
     }
@@ -173,31 +169,40 @@ export class CameraController {
    * @returns {boolean} whether it has moved
    */
   update(poses, seconds, ball) {
-    const robot = poses[this.chosen];
+    const robot = poses[this.chosen]?.[2] > 0 ? poses[this.chosen] : undefined;
     this.#setFieldOfView(this.mode === 'eye' && robot ? EYE_FIELD_OF_VIEW : FIELD_OF_VIEW);
     if (this.mode === 'eye' && robot) {
       return this.#lookThroughEyes(robot);
     }
-    if (this.isOpeningShot && robot && robot[2] > 0 && ball) {
-      this.#open(robot, ball);
-    }
     if (this.mode === 'follow' && robot) {
-      this.view = { ...this.view, target: [robot[0], robot[1], FOLLOW_HEIGHT] };
+      this.#follow(robot);
     }
     if (this.mode === 'ball' && ball) {
       this.view = { ...this.view, target: [ball[0], ball[1], 0.15] };
     }
-    return this.#glide(Math.min(1, CATCH_UP_PER_SECOND * seconds));
+    const part = this.isCut ? 1 : Math.min(1, CATCH_UP_PER_SECOND * seconds);
+    this.isCut &&= this.mode === 'follow' && !robot;
+    return this.#glide(part);
   }
 
-  /** @param {Float32Array} robot @param {number[]} ball */
-  #open(robot, ball) {
-    this.isOpeningShot = false;
-    const scene = /** @type {Scene} */ (this.scene);
-    const end = scene.robots[this.chosen].side === 'right' ? -1 : 1;
-    const goal = [(end * scene.field.length) / 2, 0, 0];
-    this.view = openingShot([robot[0], robot[1], FOLLOW_HEIGHT], ball, goal, this.free());
-    this.shown = this.view;
+  /**
+   * Keeps the robot in the centre. The camera does not turn with the robot; only after a jump does it return to the robot's front.
+   *
+   * @param {Float32Array} robot
+   */
+  #follow(robot) {
+    const torso = [...robot.subarray(0, POSE)];
+    if (!this.followed || hasJumped(this.followed, torso)) {
+      this.headingDegrees = headingDegrees(torso);
+    }
+    this.followed = torso;
+    const target = robotCentre(torso);
+    this.view = this.isComposed ? robotView(target, this.headingDegrees, this.free()) : { ...this.view, target };
+  }
+
+  /** The view of the followed robot, if the camera follows one. @type {ViewPoint | undefined} */
+  get viewOfRobot() {
+    return this.mode === 'follow' && this.followed ? this.shown : undefined;
   }
 
   /** @param {number} degrees */

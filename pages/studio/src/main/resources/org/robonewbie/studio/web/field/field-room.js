@@ -109,8 +109,7 @@ export class FieldRoom {
     this.drawings.show(session.shown, session.drawings);
     view.board.group.visible = session.shown.tense === 'live';
     this.pointer.draw();
-    session.stale = cameraController.update(view.robots.poses, seconds, view.ball.position.toArray());
-    view.light.shine(cameraController.shown.target, view.camera.position);
+    session.stale = view.look(cameraController, seconds);
     view.draw();
   }
 

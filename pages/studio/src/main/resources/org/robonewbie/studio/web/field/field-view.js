@@ -4,9 +4,11 @@ import { ball, BALL_RADIUS, ballShape } from './ball.js';
 import { BallTrail } from './ball-trail.js';
 import { Board } from './board.js';
 import { FieldDrawings } from './drawings.js';
+import { Goals } from './goals.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
+import { opaqueRenderer } from './renderer.js';
 import { Ring } from './ring.js';
 import { InstancedRobots } from './instanced-robots.js';
 import { SoftShadows } from './soft-shadows.js';
@@ -43,6 +45,7 @@ export class FieldView {
     this.softShadows = new SoftShadows();
     this.drawings = new FieldDrawings();
     this.things = new Things();
+    this.goals = new Goals();
     this.ball = ball();
     this.ball.visible = false;
     this.trail = new BallTrail();
@@ -50,7 +53,7 @@ export class FieldView {
     this.names = new NameTags(stage);
     this.scene.add(this.robots.group, this.softShadows.group, this.drawings.group, this.things.group, this.ball);
     this.board = new Board();
-    this.scene.add(this.trail.dots, this.ring.group, this.board.group);
+    this.scene.add(this.goals.group, this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
     this.realShadows = false;
     /** @type {Scene | undefined} */
@@ -136,6 +139,7 @@ export class FieldView {
   setScene(content) {
     if (JSON.stringify(content.field) !== JSON.stringify(this.content?.field)) {
       this.#layPitch(content);
+      this.goals.setField(content.field);
     }
     this.content = content;
     this.robots.setScene(content);
@@ -224,6 +228,19 @@ export class FieldView {
     this.ball.visible = true;
   }
 
+  /**
+   * Moves the camera, and adapts light and goals to it.
+   *
+   * @param {import('./camera-controller.js').CameraController} cameraController
+   * @param {number} seconds since the last call
+   * @returns {boolean} whether the picture still changes
+   */
+  look(cameraController, seconds) {
+    const moves = cameraController.update(this.robots.poses, seconds, this.ball.position.toArray());
+    this.light.shine(cameraController.shown.target, this.camera.position);
+    return this.goals.fade(cameraController.viewOfRobot, seconds) || moves;
+  }
+
   draw() {
     if (this.isFine) {
       this.#fit();
@@ -285,16 +302,4 @@ export function rayAt({ stage, camera }, clientX, clientY) {
   const caster = new THREE.Raycaster();
   caster.setFromCamera(place, camera);
   return caster.ray;
-}
-
-/**
- * Creates a renderer with an opaque canvas, which halves the work of the browser's compositor.
- *
- * @param {boolean} antialias
- * @returns {THREE.WebGLRenderer}
- */
-export function opaqueRenderer(antialias) {
-  const canvas = document.createElement('canvas');
-  const context = canvas.getContext('webgl2', { alpha: false, antialias, powerPreference: 'high-performance' });
-  return new THREE.WebGLRenderer({ canvas, antialias, ...(context && { context }) });
 }

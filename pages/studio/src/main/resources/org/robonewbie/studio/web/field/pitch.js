@@ -1,5 +1,5 @@
 /**
- * The pitch: striped grass, white lines, goals with nets; all sizes come from the simulator. The ground is flat and evenly lit, so it uses
+ * The pitch: striped grass and white lines; all sizes come from the simulator. The ground is flat and evenly lit, so it uses
  * cheap unlit colours; real shadows fall on a transparent plane above it.
  */
 import * as THREE from 'three';
@@ -11,9 +11,7 @@ import { flatMaterial, screenColour, tinted } from './flat-material.js';
 const LINE_WIDTH = 0.05;
 const BORDER = 1;
 const GROUND_METRES = 300;
-const POST_RADIUS = 0.03;
 const STRIPES = 12;
-const NET_STEP = 0.1;
 const OVER_GRASS = 0.002;
 const BLADES_METRES = 0.9;
 
@@ -28,13 +26,7 @@ const AFTER_GRASS = 1;
  */
 export function pitch(field, colours, blades) {
   const group = new THREE.Group();
-  group.add(
-    surround(colours),
-    grass(field, colours, blades),
-    lines(field, colours.line),
-    shadowSheet(),
-    ...goals(field),
-  );
+  group.add(surround(colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet());
   return group;
 }
 
@@ -178,99 +170,4 @@ function flat(places) {
   const normals = places.map((_, i) => (i % 3 === 2 ? 1 : 0));
   geometry.setAttribute('normal', new THREE.Float32BufferAttribute(normals, 3));
   return geometry;
-}
-
-/** @param {Field} field */
-function goals(field) {
-  const frames = [];
-  const netting = [];
-  for (const end of [-1, 1]) {
-    frames.push(...goalFrame(field, end));
-    netting.push(...net(field, end));
-  }
-  const bars = new THREE.InstancedMesh(
-    new THREE.CylinderGeometry(POST_RADIUS, POST_RADIUS, 1, 14),
-    new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044 }),
-    frames.length,
-  );
-  frames.forEach((place, i) => bars.setMatrixAt(i, place));
-  bars.name = 'goals';
-  bars.castShadow = true;
-  bars.frustumCulled = false;
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(netting, 3));
-  const threads = new THREE.LineSegments(
-    geometry,
-    new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.6 }),
-  );
-  return [bars, threads];
-}
-
-/**
- * @param {Field} field
- * @param {number} end -1 for the left goal, 1 for the right goal
- */
-function goalFrame(field, end) {
-  const front = end * (field.length / 2 + POST_RADIUS);
-  const back = front + end * field.goalDepth;
-  const side = field.goalWidth / 2 + POST_RADIUS;
-  const top = field.goalHeight;
-  const low = 0.02;
-  return [
-    bar([front, -side, 0], [front, -side, top], 1),
-    bar([front, side, 0], [front, side, top], 1),
-    bar([front, -side - POST_RADIUS, top], [front, side + POST_RADIUS, top], 1),
-    bar([back, -side, low], [back, side, low], 0.5),
-    bar([front, -side, low], [back, -side, low], 0.5),
-    bar([front, side, low], [back, side, low], 0.5),
-    bar([front, -side, top], [back, -side, low], 0.4),
-    bar([front, side, top], [back, side, low], 0.4),
-  ];
-}
-
-/**
- * @param {number[]} from
- * @param {number[]} to
- * @param {number} thickness
- */
-function bar(from, to, thickness) {
-  const start = new THREE.Vector3(...from);
-  const way = new THREE.Vector3(...to).sub(start);
-  const length = way.length();
-  const rotation = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), way.clone().normalize());
-  const middle = start.addScaledVector(way, 0.5);
-  return new THREE.Matrix4().compose(middle, rotation, new THREE.Vector3(thickness, length, thickness));
-}
-
-/**
- * Builds the net, which slopes from the crossbar to the ground behind the goal and closes both sides.
- *
- * @param {Field} field
- * @param {number} end
- * @returns {number[]} pairs of points
- */
-function net(field, end) {
-  const front = end * (field.length / 2 + POST_RADIUS);
-  const back = front + end * field.goalDepth;
-  const side = field.goalWidth / 2 + POST_RADIUS;
-  const points = [];
-  const columns = Math.round((2 * side) / NET_STEP);
-  for (let i = 0; i <= columns; i++) {
-    const y = -side + (2 * side * i) / columns;
-    points.push(front, y, field.goalHeight, back, y, 0);
-  }
-  const rows = Math.round(field.goalHeight / NET_STEP);
-  for (let i = 0; i <= rows; i++) {
-    const z = (field.goalHeight * i) / rows;
-    const x = back + ((front - back) * i) / rows;
-    points.push(x, -side, z, x, side, z);
-    points.push(front, -side, z, x, -side, z, front, side, z, x, side, z);
-  }
-  const deep = Math.max(2, Math.round(field.goalDepth / NET_STEP));
-  for (let i = 1; i < deep; i++) {
-    const x = front + ((back - front) * i) / deep;
-    const z = field.goalHeight * (1 - i / deep);
-    points.push(x, -side, 0, x, -side, z, x, side, 0, x, side, z);
-  }
-  return points;
 }

@@ -1,9 +1,10 @@
 /** The motion editor's 3D view: the robot, ghosts of the neighbouring keyframes, centre of mass and support polygon. */
 import * as THREE from 'three';
 import { CameraController } from '../field/camera-controller.js';
-import { opaqueRenderer, rayAt } from '../field/field-view.js';
+import { rayAt } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
 import { ghostMaterial } from '../field/materials.js';
+import { opaqueRenderer } from '../field/renderer.js';
 import { InstancedRobots } from '../field/instanced-robots.js';
 import { LimbPaint } from './limb-paint.js';
 import { Marker } from './marker.js';

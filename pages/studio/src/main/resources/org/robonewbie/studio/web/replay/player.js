@@ -103,8 +103,7 @@ function draw(now, seconds) {
   view.update(frame);
   view.trail.follow(frame.cycle, frame.ball);
   layers.show(state, drawings);
-  stale = cameraController.update(view.robots.poses, seconds, view.ball.position.toArray());
-  view.light.shine(cameraController.shown.target, view.camera.position);
+  stale = view.look(cameraController, seconds);
   view.draw();
   board(state, now);
   line.draw(replay, events);

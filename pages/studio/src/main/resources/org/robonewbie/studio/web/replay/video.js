@@ -93,12 +93,7 @@ class VideoStage {
       this.cameraController.lookAs(this.model);
     }
     this.view.update(frameOf(moment, scene));
-    this.cameraController.update(
-      this.view.robots.poses,
-      isFirst ? 1 : 1 / PICTURES_PER_SECOND,
-      this.view.ball.position.toArray(),
-    );
-    this.view.light.shine(this.cameraController.shown.target, this.view.camera.position);
+    this.view.look(this.cameraController, isFirst ? 1 : 1 / PICTURES_PER_SECOND);
     this.view.draw();
     this.pen.drawImage(this.view.renderer.domElement, 0, 0, WIDTH, HEIGHT);
     this.#writeScore(moment);

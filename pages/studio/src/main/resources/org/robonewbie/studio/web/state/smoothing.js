@@ -13,7 +13,7 @@
  * @property {Float32Array[]} [things]
  */
 
-/** Maximum interpolated movement between two frames in metres; a larger one is a repositioning. */
+/** Maximum interpolated movement between two frames in metres; a larger one is a jump. */
 const JUMP_METRES = 0.4;
 
 const MIN_MILLISECONDS = 15;
@@ -87,7 +87,7 @@ export class Smoothing {
  * @param {number} part
  */
 function blendRobot(from, to, part) {
-  if (isJump(from.torso, to.torso)) {
+  if (hasJumped(from.torso, to.torso)) {
     return to;
   }
   const degrees = to.degrees.map((angle, i) => from.degrees[i] + part * (angle - from.degrees[i]));
@@ -102,7 +102,7 @@ function blendRobot(from, to, part) {
  * @param {number} part interpolation parameter, from 0 to 1
  */
 export function blendPose(from, to, part) {
-  if (isJump(from, to)) {
+  if (hasJumped(from, to)) {
     return to;
   }
   const dot = from[3] * to[3] + from[4] * to[4] + from[5] * to[5] + from[6] * to[6];
@@ -116,9 +116,11 @@ export function blendPose(from, to, part) {
 }
 
 /**
- * @param {Float32Array} from
- * @param {Float32Array} to
+ * Returns whether an object was repositioned, for instance by a beam, rather than moved.
+ *
+ * @param {ArrayLike<number>} from its pose
+ * @param {ArrayLike<number>} to
  */
-function isJump(from, to) {
+export function hasJumped(from, to) {
   return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]) > JUMP_METRES;
 }

@@ -145,38 +145,56 @@ export function overview(field, free, fromTop) {
   );
 }
 
-const OPENING_SLANTS = [-36, -28, -18, 18, 28, 36];
-const OPENING_ELEVATIONS = [12, 18, 26];
-const OPENING_DISTANCES = [2.1, 9];
+const ROBOT_HEIGHT = 0.58;
 const ROBOT_REACH = 0.3;
 
+/** Fraction of the free height that a robot fills. */
+const ROBOT_SHARE = 0.5;
+const FRONT_LEFT_DEGREES = 35;
+const ROBOT_ELEVATION_DEGREES = 13;
+
 /**
- * Returns an over-the-shoulder view of a robot, with the ball and the goal that it attacks.
+ * Returns the point of a robot that the camera looks at.
  *
- * @param {number[]} target centre of the robot
- * @param {number[]} ball
- * @param {number[]} goal centre of the goal line
- * @param {FreeView} free
- * @returns {ViewPoint} the nearest such view
+ * @param {ArrayLike<number>} torso pose of its torso
  */
-export function openingShot(target, ball, goal, free) {
-  const [x, y] = target;
-  const [side, top] = [1.1, 0.8];
-  const points = [[x, y, 0], [x, y, 0.6], ball, [goal[0], goal[1] - side, top], [goal[0], goal[1] + side, top]];
-  const behind = Math.atan2(y - goal[1], x - goal[0]) / RADIANS;
-  const views = OPENING_SLANTS.flatMap((slant) =>
-    OPENING_ELEVATIONS.map((elevationDegrees) =>
-      fitted({ target, azimuthDegrees: behind + slant, elevationDegrees, distance: FARTHEST }, points, free),
-    ),
-  );
-  const clear = views.filter((view) => {
-    const { right, near } = seenFrom(view, ball);
-    return Math.abs(right) > (ROBOT_REACH * (view.distance - near)) / view.distance;
-  });
-  const best = (clear.length > 0 ? clear : views).reduce((nearest, view) =>
-    view.distance < nearest.distance ? view : nearest,
-  );
-  return { ...best, distance: clamp(best.distance, OPENING_DISTANCES[0], OPENING_DISTANCES[1]) };
+export function robotCentre(torso) {
+  return [torso[0], torso[1], ROBOT_HEIGHT / 2];
+}
+
+/**
+ * Returns the three-quarter view of a robot from its front left.
+ *
+ * @param {readonly number[]} centre see {@link robotCentre}
+ * @param {number} headingDegrees
+ * @param {FreeView} free
+ * @returns {ViewPoint}
+ */
+export function robotView(centre, headingDegrees, { across, up }) {
+  const view = {
+    target: [...centre],
+    azimuthDegrees: headingDegrees + FRONT_LEFT_DEGREES,
+    elevationDegrees: ROBOT_ELEVATION_DEGREES,
+    distance: FARTHEST,
+  };
+  return fitted(view, robotOutline(view), { across, up: ROBOT_SHARE * up });
+}
+
+/**
+ * Returns the outermost points of a standing robot as the camera sees it.
+ *
+ * @param {ViewPoint} view
+ * @returns {number[][]}
+ */
+export function robotOutline({ target: [x, y, z], azimuthDegrees }) {
+  const right = (azimuthDegrees + 90) * RADIANS;
+  const [dx, dy] = [ROBOT_REACH * Math.cos(right), ROBOT_REACH * Math.sin(right)];
+  return [
+    [x, y, z - ROBOT_HEIGHT / 2],
+    [x, y, z + ROBOT_HEIGHT / 2],
+    [x - dx, y - dy, z],
+    [x + dx, y + dy, z],
+  ];
 }
 
 /**
