@@ -64,7 +64,7 @@ test('a lost connection is reported, but not after the end', () => {
   const running = withWallNews(initialWall(), whole(trial('a', 'Red')));
   const over = withWallNews(running, { ...whole(), outcome: 'Table: table.html' });
 
-  assert.match(wallSentence(withoutWallLine(running)).text, /does not respond/);
+  assert.match(wallSentence(withoutWallLine(running)).text, /is not responding/);
   assert.equal(withoutWallLine(running).tiles[0].running, false);
   assert.equal(wallSentence(withoutWallLine(over)).text, 'The competition is over. Table: table.html');
   assert.match(wallSentence(withWallNews(initialWall(), whole())).text, /next trials/);
