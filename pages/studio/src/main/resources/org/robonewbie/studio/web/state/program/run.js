@@ -6,6 +6,7 @@
  */
 import { fileName } from './remarks.js';
 
+const REPORT_TIME = /^\d+\.\d\d s: /;
 const ENDLESS = /think\(\) has not returned.*?\(([^)]*)\)/s;
 
 /** @type {ProgramRun} */
@@ -42,6 +43,18 @@ function endText(name, { output, exitCode }) {
     return `${name} was stopped: think() did not return (${endless[1]}). Is there an infinite loop?`;
   }
   return exitCode === 0 ? `${name} has ended.` : `${name} has failed; see the error below.`;
+}
+
+/**
+ * Removes from the output of a program what its robot has also reported by telemetry.
+ *
+ * @param {string} output
+ * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log
+ * @returns {string}
+ */
+export function withoutReports(output, reports) {
+  const lines = output.split('\n');
+  return lines.filter((line) => !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
 }
 
 /**
