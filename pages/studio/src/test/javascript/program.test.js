@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 const state = '../../main/resources/org/robonewbie/studio/web/state';
 const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/program/remarks.js`);
-const { isUnderWay, NO_RUN, ownRobot, runText, withoutReports } = await import(`${state}/program/run.js`);
+const { crashOf, isUnderWay, NO_RUN, ownRobot, runText, withoutReports } = await import(`${state}/program/run.js`);
 const { ChosenNumbers, numberText, stepOf, withDefault } = await import(`${state}/program/sliders.js`);
 const { valuesAtLines } = await import(`${state}/program/values.js`);
 const {
@@ -73,6 +73,21 @@ test('the state of a program is described, and an endless loop is named', () => 
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /has failed/);
   assert.equal(isUnderWay({ ...run, state: 'STARTING' }), true);
   assert.equal(isUnderWay({ ...run, state: 'REFUSED' }), false);
+});
+
+test('an uncaught exception or a stopped loop is found in the output', () => {
+  const run = { ...NO_RUN, state: 'ENDED', program: 'my/MyAgent.java', exitCode: 1 };
+  const thrown =
+    'hello\nException in thread "main" java.lang.Error: oh\n\tat Other.b(Other.java:3)\n\tat My.a(MyAgent.java:7)';
+  const stopped = 'Stopped at MyAgent.java:5: the program has executed 5000000 instructions.\n';
+
+  assert.deepEqual(crashOf({ ...run, output: thrown }), {
+    line: 7,
+    text: 'Exception in thread "main" java.lang.Error: oh',
+  });
+  assert.equal(crashOf({ ...run, output: stopped })?.line, 5);
+  assert.equal(crashOf({ ...run, output: 'hello' }), undefined);
+  assert.equal(crashOf({ ...run, output: stopped, state: 'RUNNING' }), undefined);
 });
 
 test('the output does not repeat what the robot has reported', () => {

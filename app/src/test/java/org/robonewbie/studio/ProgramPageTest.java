@@ -109,7 +109,8 @@ class ProgramPageTest {
     }
 
     private String output() {
-        return browser.evaluate("document.querySelector('#program-said').innerText").getAsString();
+        return browser.evaluate("document.querySelector('#program-said').innerText")
+                .getAsString();
     }
 
     private void awaitState(String text) {

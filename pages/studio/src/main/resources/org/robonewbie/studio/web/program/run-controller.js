@@ -2,7 +2,7 @@
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { lineOf, withMistake } from '../state/program/remarks.js';
-import { isUnderWay, NO_RUN, ownRobot, runText, withoutReports } from '../state/program/run.js';
+import { crashOf, isUnderWay, NO_RUN, ownRobot, runText, withoutReports } from '../state/program/run.js';
 import { valuesAtLines } from '../state/program/values.js';
 import { readTelemetry, robotKey } from '../state/robot/telemetry.js';
 import { copyExample } from './new-program.js';
@@ -166,7 +166,16 @@ export class RunController {
   #show(run) {
     this.now = run;
     this.#showOutput();
+    this.#showMistakes();
     this.draw();
+  }
+
+  /** Shows the errors at their lines of the program, if it is open. */
+  #showMistakes() {
+    if (this.now.program === this.room.files.file?.path) {
+      const crash = crashOf(this.now);
+      this.room.editor.setMistakes(crash ? withMistake(this.#mistakes, crash) : this.#mistakes);
+    }
   }
 
   #showOutput() {
@@ -271,7 +280,7 @@ export class RunController {
     const line = isReport && this.now.program === this.room.files.file?.path ? lineOf(log.text, this.now.program) : 0;
     if (line > 0) {
       this.#mistakes = withMistake(this.#mistakes, { line, text: log.text });
-      this.room.editor.setMistakes(this.#mistakes);
+      this.#showMistakes();
       this.room.said.showMistakes(this.#mistakes);
     } else {
       this.room.said.addLine(log);
