@@ -237,10 +237,13 @@ public abstract class Agent {
         return call.getMethodName().equals("run") && call.getClassName().equals(Agent.class.getName());
     }
 
-    /** Returns the lines of the program that led to the failed one, as a sentence; empty if there are none. */
+    /**
+     * Returns the lines of the step that led to the failed one, as a sentence; empty if there are none. In a page, the trace does
+     * not contain {@link #run}.
+     */
     private static String callers(Throwable mistake) {
         StackTraceElement[] step = Arrays.stream(mistake.getStackTrace())
-                .takeWhile(call -> !isRun(call))
+                .takeWhile(call -> !isRun(call) && !call.getMethodName().equals("main"))
                 .toArray(StackTraceElement[]::new);
         String places = StudentCode.lines(step).stream()
                 .map(StudentCode::place)
