@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 const state = '../../main/resources/org/robonewbie/studio/web/state';
 const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/program/remarks.js`);
-const { isUnderWay, NO_RUN, ownRobot, runText } = await import(`${state}/program/run.js`);
+const { crashOf, isUnderWay, NO_RUN, ownRobot, runText, withoutReports } = await import(`${state}/program/run.js`);
 const { ChosenNumbers, numberText, stepOf, withDefault } = await import(`${state}/program/sliders.js`);
 const { valuesAtLines } = await import(`${state}/program/values.js`);
 const {
@@ -45,7 +45,15 @@ test('errors are counted, and the first is named with its line', () => {
   assert.equal(remarksText([{ ...mistake, serious: false }]), 'No errors, but a warning');
 });
 
-test('equal runtime errors are kept once, and only the last five', () => {
+test('a line has one runtime error, the latest', () => {
+  const first = withMistake([], { line: 13, text: 'think() has not returned for 1 s' });
+
+  assert.deepEqual(withMistake(first, { line: 13, text: 'think() has not returned for 5 s' }), [
+    { line: 13, text: 'think() has not returned for 5 s' },
+  ]);
+});
+
+test('only the last five runtime errors are kept', () => {
   const many = [1, 2, 3, 4, 5, 6, 6].reduce((all, line) => withMistake(all, { line, text: 'oh' }), []);
 
   assert.deepEqual(
@@ -65,6 +73,29 @@ test('the state of a program is described, and an endless loop is named', () => 
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /has failed/);
   assert.equal(isUnderWay({ ...run, state: 'STARTING' }), true);
   assert.equal(isUnderWay({ ...run, state: 'REFUSED' }), false);
+});
+
+test('an uncaught exception or a stopped loop is found in the output', () => {
+  const run = { ...NO_RUN, state: 'ENDED', program: 'my/MyAgent.java', exitCode: 1 };
+  const thrown =
+    'hello\nException in thread "main" java.lang.Error: oh\n\tat Other.b(Other.java:3)\n\tat My.a(MyAgent.java:7)';
+  const stopped = 'Stopped at MyAgent.java:5: the program has executed 5000000 instructions.\n';
+
+  assert.deepEqual(crashOf({ ...run, output: thrown }), {
+    line: 7,
+    text: 'Exception in thread "main" java.lang.Error: oh',
+  });
+  assert.equal(crashOf({ ...run, output: stopped })?.line, 5);
+  assert.equal(crashOf({ ...run, output: 'hello' }), undefined);
+  assert.equal(crashOf({ ...run, output: stopped, state: 'RUNNING' }), undefined);
+});
+
+test('the output does not repeat what the robot has reported', () => {
+  const report = 'think() failed with java.lang.Error (MyAgent.java:31)';
+  const output = `Joining the server\n0.40 s: ${report}\n0.42 s: Joint speed NaN\nhello`;
+
+  assert.equal(withoutReports(output, new Set([report])), 'Joining the server\n0.42 s: Joint speed NaN\nhello');
+  assert.equal(withoutReports(output, new Set()), output);
 });
 
 test('the robot of the program is the one that joined with it, even after a restart', () => {

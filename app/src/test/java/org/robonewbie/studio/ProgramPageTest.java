@@ -50,6 +50,10 @@ class ProgramPageTest {
             }
             """;
 
+    private static final String MISTAKES = "document.querySelectorAll('#program-mistakes li').length";
+    private static final String BUBBLES =
+            "document.querySelector('#program-editor').shadowRoot.querySelectorAll('.cm-said').length";
+
     @TempDir
     private Path folder;
 
@@ -102,6 +106,11 @@ class ProgramPageTest {
 
     private void awaitAngle(int degrees) {
         browser.await("Math.abs((studio.state.frame?.robots[0]?.degrees[" + HINGE + "] ?? 999) - " + degrees + ") < 2");
+    }
+
+    private String output() {
+        return browser.evaluate("document.querySelector('#program-said').innerText")
+                .getAsString();
     }
 
     private void awaitState(String text) {
@@ -218,6 +227,17 @@ class ProgramPageTest {
         browser.click("#program-run");
 
         awaitState("think() did not return (MyAgent.java:1");
+        assertThat(browser.evaluate("[" + MISTAKES + ", " + BUBBLES + "].join()")
+                        .getAsString())
+                .isEqualTo("1,1");
+        write(RAISE.replace("DEGREES", "45"));
+        browser.click("#program-save");
+
+        awaitState("No program is running");
+        assertThat(browser.evaluate("[" + MISTAKES + ", " + BUBBLES + "].join()")
+                        .getAsString())
+                .isEqualTo("0,0");
+        assertThat(output()).doesNotContain("has not returned");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -236,6 +256,50 @@ class ProgramPageTest {
         browser.await(inEditor(".cm-value") + "?.innerText === '= 7'");
         browser.click("#program-stop");
         assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Tag("slow")
+    @Test
+    void exceptionIsShownOnceAndIsGoneWhenItIsFixed() {
+        visit();
+        write(RAISE.replace("4 * (DEGREES - angle));", "1 / (int) (angle * 0));"));
+        browser.click("#program-run");
+
+        browser.await(MISTAKES + " === 1 && " + BUBBLES + " === 1");
+        awaitState("is running");
+        assertThat(output().split("think\\(\\) failed", -1)).hasSize(2);
+        assertThat(output()).doesNotContain("Called from");
+        browser.evaluate("location.hash = '#robot'");
+        browser.await("studio.robot !== undefined");
+        browser.evaluate("location.hash = '#program'");
+        write(RAISE.replace("DEGREES", "45"));
+        browser.click("#program-save");
+
+        awaitAngle(45);
+        browser.await(MISTAKES + " === 0 && " + BUBBLES + " === 0");
+        assertThat(output()).doesNotContain("failed");
+        assertThat(browser.evaluate("document.querySelector('#diagnostics').hidden")
+                        .getAsBoolean())
+                .isTrue();
+        assertThat(browser.evaluate("document.querySelector('#toast').innerText")
+                        .getAsString())
+                .isEmpty();
+        assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void longLinesAreWrapped() {
+        for (int width : new int[] {1366, 1024}) {
+            browser.resize(width, 768);
+            visit();
+            write(RAISE.replace("DEGREES", "45").replace("angle));", "angle)); // degrees per second, at most 351"));
+
+            browser.await(inEditor(".cm-content") + "?.innerText.includes('at most 351')");
+            assertThat(browser.evaluate(inEditor(".cm-scroller") + ".scrollWidth <= " + inEditor(".cm-scroller")
+                                    + ".clientWidth")
+                            .getAsBoolean())
+                    .isTrue();
+        }
     }
 
     @Tag("slow")

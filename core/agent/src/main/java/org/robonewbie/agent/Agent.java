@@ -10,6 +10,7 @@ import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
 import org.robonewbie.agent.log.Failure;
 import org.robonewbie.agent.log.Logger;
+import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.perception.LocalFieldView;
@@ -37,7 +38,7 @@ import org.robonewbie.agent.walk.Walk;
  */
 public abstract class Agent {
 
-    private static final int MAX_CALLS = 8;
+    private static final int MAX_CALLERS = 7;
     private static final String CLASS_THAT_FAILED_BEFORE = "Could not initialize class";
 
     private final RobotRuntime runtime = new RobotRuntime(nameOf(getClass()));
@@ -205,10 +206,12 @@ public abstract class Agent {
         Throwable mistake = Failure.rootOf(thrown);
         String step = failedStep(thrown.getStackTrace());
         if (!reportedBefore) {
-            runtime.diagnostics().reportAt(Failure.place(mistake), step + mistake.getClass(), () -> {
-                log.error("%s failed: %s%s", step, mistake, stack(mistake));
-                return step + " failed with " + mistake + "; the robot continues with the next step.";
-            });
+            runtime.diagnostics()
+                    .reportAt(
+                            Failure.place(mistake),
+                            step + mistake.getClass(),
+                            () -> step + " failed with " + mistake + "; the robot continues with the next step."
+                                    + callers(mistake));
         }
         session.complete();
     }
@@ -234,14 +237,21 @@ public abstract class Agent {
         return call.getMethodName().equals("run") && call.getClassName().equals(Agent.class.getName());
     }
 
-    /** Returns the stack trace without the framework's frames, one call per line. */
-    private static String stack(Throwable mistake) {
-        return Arrays.stream(mistake.getStackTrace())
-                .limit(MAX_CALLS)
-                .takeWhile(call -> !call.getClassName().equals(Agent.class.getName()))
-                .map(call -> "\n                      at " + call)
+    /**
+     * Returns the lines of the step that led to the failed one, as a sentence; empty if there are none. In a page, the trace does
+     * not contain {@link #run}.
+     */
+    private static String callers(Throwable mistake) {
+        StackTraceElement[] step = Arrays.stream(mistake.getStackTrace())
+                .takeWhile(call -> !isRun(call) && !call.getMethodName().equals("main"))
+                .toArray(StackTraceElement[]::new);
+        String places = StudentCode.lines(step).stream()
+                .map(StudentCode::place)
                 .distinct()
-                .collect(Collectors.joining());
+                .skip(1)
+                .limit(MAX_CALLERS)
+                .collect(Collectors.joining(", "));
+        return places.isEmpty() ? "" : " Called from " + places + ".";
     }
 
     private static String nameOf(Class<?> type) {

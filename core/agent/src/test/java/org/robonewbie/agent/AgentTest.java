@@ -155,7 +155,8 @@ class AgentTest {
         assertThat(second).containsExactly(new Synchronise());
         assertThat(printedLines())
                 .containsExactly("1.00 s: think() failed with java.lang.ArrayIndexOutOfBoundsException: Index 22 out of"
-                        + " bounds for length 22; the robot continues with the next step. (Careless.java:42)");
+                        + " bounds for length 22; the robot continues with the next step. Called from Careless.java:25."
+                        + " (Careless.java:42)");
     }
 
     @Test
@@ -198,7 +199,7 @@ class AgentTest {
                 .asString()
                 .matches(
                         "1\\.00 s: think\\(\\) failed with java\\.lang\\.NumberFormatException: For input string: \"fast\";"
-                                + " the robot continues with the next step\\. \\(Careless\\.java:\\d+\\)");
+                                + " the robot continues with the next step\\. Called from [^()]+\\. \\(Careless\\.java:\\d+\\)");
     }
 
     @Test

@@ -25,4 +25,9 @@ final class DiagnosticsFeed {
         }
         return Optional.empty();
     }
+
+    /** Forgets the messages of programs that have been replaced, which may occur again. */
+    void clear() {
+        sent.clear();
+    }
 }

@@ -69,6 +69,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private volatile @Nullable WorldSnapshot latest;
     private volatile Map<Integer, String> watchedRobots = Map.of();
     private volatile boolean open = true;
+    private volatile boolean isTelemetryOutdated;
     private long lastWakeNanos = System.nanoTime() - SEND_INTERVAL_NANOS;
 
     private @Nullable WorldSnapshot written;
@@ -204,6 +205,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         }
     }
 
+    /** Discards the log and the errors of programs that have been replaced. Thread-safe. */
+    void clearTelemetry() {
+        telemetry.clear();
+        isTelemetryOutdated = true;
+    }
+
     @Override
     public boolean isWanted() {
         return !spectators.isEmpty();
@@ -230,6 +237,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     }
 
     private void queueTelemetry() {
+        if (isTelemetryOutdated) {
+            isTelemetryOutdated = false;
+            history.clear();
+            diagnostics.clear();
+        }
         List<TelemetryMessage> news = new ArrayList<>();
         telemetry.drainTo(news);
         spectators.forEach(spectator -> spectator.telemetry().remember(history));

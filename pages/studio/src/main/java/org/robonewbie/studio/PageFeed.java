@@ -180,6 +180,12 @@ public final class PageFeed implements TelemetrySink {
         notes.of(message).ifPresent(page::keep);
     }
 
+    /** Discards the log and the errors of programs that have been replaced. */
+    public void clearTelemetry() {
+        history.clear();
+        diagnostics.clear();
+    }
+
     @Override
     public Optional<TuningRequests> tuningRequests() {
         return Optional.of(context.numbers());

@@ -25,10 +25,10 @@ final class ShownArena implements Arena {
      */
     private static final int CYCLES_TO_SETTLE = 12;
 
-    private final StudioContext context;
+    private final LiveFeed context;
     private final Restore world;
 
-    ShownArena(StudioContext context) {
+    ShownArena(LiveFeed context) {
         this.context = context;
         this.world = new Restore(context);
     }
@@ -78,6 +78,11 @@ final class ShownArena implements Arena {
                 .filter(robot -> !robot.team().isEmpty())
                 .map(RobotSnapshot::id)
                 .collect(Collectors.toSet());
+    }
+
+    @Override
+    public void clearTelemetry() {
+        context.clearTelemetry();
     }
 
     @Override

@@ -32,6 +32,11 @@ final class TelemetryHistory {
         }
     }
 
+    /** Forgets the telemetry of programs that have been replaced. */
+    void clear() {
+        robots.clear();
+    }
+
     /** Returns the telemetry of a robot, oldest first. */
     List<TelemetryMessage> of(String robot) {
         return List.copyOf(robots.getOrDefault(robot, new ArrayDeque<>()));

@@ -112,6 +112,7 @@ final class FreePitch implements EditableWorld {
         WorldState moment = simulator.save();
         List<String> seats = seats();
         old.stop();
+        feed.clearTelemetry();
         student.ifPresent(players::remove);
         cycleUntil(() -> seats().size() <= players.size());
         with(program, run);

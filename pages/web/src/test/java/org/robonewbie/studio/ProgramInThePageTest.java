@@ -120,7 +120,13 @@ class ProgramInThePageTest {
                 + "        }\n    }\n}\n");
         browser.click("#program-run");
 
-        browser.await("document.querySelector('#program-room').innerText.includes('Stopped at MyAgent.java:5')");
+        browser.await(ROOM + ".includes('Stopped at MyAgent.java:5')");
+        browser.await("document.querySelector('#program-editor').shadowRoot.querySelectorAll('.cm-said').length === 1");
+
+        type(HEAD + "public class MyAgent extends Agent {}\n");
+        browser.click("#program-save");
+
+        browser.await("!" + ROOM + ".includes('Stopped at MyAgent.java:5')");
     }
 
     @Test

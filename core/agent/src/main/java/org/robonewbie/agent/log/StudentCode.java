@@ -40,10 +40,17 @@ public final class StudentCode {
      * @return file and line, such as {@code WalkToBall.java:31}; empty if only the framework was running
      */
     public static Optional<String> place(StackTraceElement[] trace) {
-        return Arrays.stream(trace)
-                .filter(frame -> isStudentCode(frame.getClassName()))
-                .findFirst()
-                .map(frame -> frame.getFileName() + ":" + frame.getLineNumber());
+        return lines(trace).stream().findFirst().map(StudentCode::place);
+    }
+
+    /**
+     * Returns the position of a stack frame.
+     *
+     * @param frame the stack frame
+     * @return file and line, such as {@code WalkToBall.java:31}
+     */
+    public static String place(StackTraceElement frame) {
+        return frame.getFileName() + ":" + frame.getLineNumber();
     }
 
     /**

@@ -41,7 +41,8 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private long same = -1;
     private int ticks;
     private int allTicks;
-    private boolean reported;
+    /** Where the current stall was first reported, so that all its reports name the same line; empty before. */
+    private Optional<String> reportedPlace = Optional.empty();
 
     Watchdog(
             CycleOwner owner,
@@ -124,9 +125,10 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
         ticks = thinking && cycle.get() == same ? ticks + 1 : 0;
         same = cycle.get();
         allTicks++;
-        reported &= ticks > 0;
         if (ticks > 0) {
             sampleProgram();
+        } else {
+            reportedPlace = Optional.empty();
         }
     }
 
@@ -139,12 +141,12 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
             slowPlace = now.place();
             slowNanoseconds = worked;
         }
-        if (!reported && isStalled(TICKS_TO_REPORT, now)) {
-            reported = true;
-            report("1 s; the robot waits for it", now);
+        if (reportedPlace.isEmpty() && isStalled(TICKS_TO_REPORT, now)) {
+            reportedPlace = Optional.of(now.place());
+            report("1 s; the robot waits for it", now.place());
         }
         if (giveUp.isPresent() && isStalled(TICKS_TO_GIVE_UP, now)) {
-            report("5 s; the run ends here", now);
+            report("5 s; the run ends here", reportedPlace.orElse(now.place()));
             closed = true;
             giveUp.get().run();
         }
@@ -170,9 +172,9 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     }
 
     /** Reports a stall, at most once every ten seconds for each line. */
-    private void report(String howLong, StackSample now) {
+    private void report(String howLong, String place) {
         String text = owner.stall(howLong);
-        diagnostics.reportAt(now.place(), text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
+        diagnostics.reportAt(place, text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
     }
 
     /** Reports the cause of slow cycles, once for each line of the program. */

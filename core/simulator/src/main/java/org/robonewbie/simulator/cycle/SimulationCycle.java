@@ -58,6 +58,7 @@ public final class SimulationCycle implements Restorable {
     private final boolean synchronous;
     private final RateLimitedLogger refusals;
     private Consumer<MatchEvent> reporter = event -> {};
+    private Console departures = Console.silent();
     private long cycle;
 
     /**
@@ -194,7 +195,7 @@ public final class SimulationCycle implements Restorable {
         ServerLink link = agent.connection().link();
         boolean unnoticed = agent.robot().isEmpty() && !agent.connection().hasSpoken();
         if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
-            console.say(agent + " " + link.closingReason());
+            departures.say(agent + " " + link.closingReason());
         }
         agent.player().ifPresent(match.teams()::leave);
         agent.robot().ifPresent(world::removeRobot);
@@ -273,6 +274,15 @@ public final class SimulationCycle implements Restorable {
      */
     public void reportEventsTo(Consumer<MatchEvent> newReporter) {
         reporter = newReporter;
+    }
+
+    /**
+     * Sets the output for departures of agents, which viewers see anyway.
+     *
+     * @param newDepartures receives the reason of each departure
+     */
+    public void reportDeparturesTo(Console newDepartures) {
+        departures = newDepartures;
     }
 
     /** Runs one cycle with the messages read so far. */

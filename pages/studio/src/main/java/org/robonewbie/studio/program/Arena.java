@@ -16,6 +16,9 @@ public interface Arena {
      */
     Moment keep();
 
+    /** Discards the log and the errors of the previous program. */
+    void clearTelemetry();
+
     /** Resets the robots, the ball, the time and the score. */
     void reset();
 

@@ -67,6 +67,7 @@ final class ProgramService implements AutoCloseable {
             }
             running.ifPresent(RunningProgram::close);
             running = Optional.empty();
+            arena.clearTelemetry();
             if (fromTheStart) {
                 arena.reset();
             }

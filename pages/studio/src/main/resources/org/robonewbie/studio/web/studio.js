@@ -154,6 +154,7 @@ export class Studio {
   #makeRooms() {
     return new RoomController({
       note: this.note,
+      clearErrors: () => this.diagnostics?.clear(),
       quality: () => this.chooser.quality,
       robotOfRun: () => this.session.robot(this.camera.chosen),
       send: this.send,

@@ -1,4 +1,4 @@
-/** Errors from the robots' programs, shown on top of the 3D view until they are dismissed. */
+/** Errors from the robots' programs, shown on top of the 3D view until they are dismissed or the program is replaced. */
 import { button, byId, element } from './elements.js';
 
 const MAX_ENTRIES = 3;

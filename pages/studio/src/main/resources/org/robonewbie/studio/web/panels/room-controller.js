@@ -45,6 +45,7 @@ export class RoomController {
   /**
    * @param {object} surroundings
    * @param {(text: string) => void} surroundings.note
+   * @param {() => void} surroundings.clearErrors dismisses the errors shown on top of the 3D view
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
    * @param {() => void} surroundings.goLive shows the present

@@ -1,5 +1,5 @@
 /** Theme of the code editor: uses the page's colours, so that it follows light and dark. */
-import { EditorView, HighlightStyle, syntaxHighlighting, tags } from 'codemirror';
+import { Decoration, EditorView, HighlightStyle, syntaxHighlighting, tags } from 'codemirror';
 
 const theme = EditorView.theme({
   '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--field)', fontSize: '14px' },
@@ -9,6 +9,7 @@ const theme = EditorView.theme({
     lineHeight: '1.5',
   },
   '.cm-content': { caretColor: 'var(--ink)' },
+  '.cm-line': { paddingLeft: 'calc(6px + var(--hang, 0ch))', textIndent: 'calc(-1 * var(--hang, 0ch))' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)' },
   '.cm-gutters': { color: 'var(--faint)', backgroundColor: 'var(--field)', border: 'none' },
   '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'var(--press)' },
@@ -59,4 +60,16 @@ const colours = HighlightStyle.define([
   { tag: [tags.annotation, tags.meta], color: 'var(--code-number)' },
 ]);
 
-export const LOOK = [theme, syntaxHighlighting(colours)];
+/** Indents the continuation of a wrapped line deeper than its beginning, by whole tabs so that the tab stops stay in place. */
+const hangingIndent = EditorView.decorations.of(({ state: { doc, tabSize }, viewport }) => {
+  const ranges = [];
+  for (let at = viewport.from; at <= viewport.to;) {
+    const { from, to, text } = doc.lineAt(at);
+    const hang = (Math.ceil(text.search(/\S|$/) / tabSize) + 1) * tabSize;
+    ranges.push(Decoration.line({ attributes: { style: `--hang: ${hang}ch` } }).range(from));
+    at = to + 1;
+  }
+  return Decoration.set(ranges);
+});
+
+export const LOOK = [theme, syntaxHighlighting(colours), EditorView.lineWrapping, hangingIndent];

@@ -14,6 +14,7 @@ import { SaidPanel } from './said-panel.js';
 /**
  * @typedef {object} Surroundings
  * @property {(text: string) => void} note
+ * @property {() => void} clearErrors dismisses the errors shown on top of the 3D view
  * @property {() => void} goLive
  * @property {(command: object) => void} send
  * @property {(panel: import('../state/layout.js').PanelName) => void} fold

@@ -2,7 +2,7 @@
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { lineOf, withMistake } from '../state/program/remarks.js';
-import { isUnderWay, NO_RUN, ownRobot, runText } from '../state/program/run.js';
+import { crashOf, isUnderWay, NO_RUN, ownRobot, runText, withoutReports } from '../state/program/run.js';
 import { valuesAtLines } from '../state/program/values.js';
 import { readTelemetry, robotKey } from '../state/robot/telemetry.js';
 import { copyExample } from './new-program.js';
@@ -24,6 +24,8 @@ export class RunController {
   #values = new Map();
   /** @type {readonly import('../state/program/remarks.js').Mistake[]} */
   #mistakes = [];
+  /** Texts of the robot's warnings and errors. @type {Set<string>} */
+  #reports = new Set();
   #remarks = '';
   #hasMistakes = false;
 
@@ -78,10 +80,16 @@ export class RunController {
     }
   }
 
-  /** Called after a save; hot-swaps the program if it is running. */
+  /** Called after a save; hot-swaps the program if it is running, and otherwise clears the messages of its last run. */
   async saved() {
-    if (isUnderWay(this.now) && this.now.program === this.room.files.file?.path) {
+    if (this.now.program !== this.room.files.file?.path) {
+      return;
+    }
+    if (isUnderWay(this.now)) {
       await this.#start(this.#chosenWorld);
+    } else {
+      this.#clearMessages();
+      this.#show(NO_RUN);
     }
   }
 
@@ -108,7 +116,6 @@ export class RunController {
       this.sliders.forget();
     }
     this.#show({ ...NO_RUN, state: 'STARTING', program: file.path });
-    this.forgetMistakes();
     this.room.surroundings.goLive();
     const run = await this.service.run(file.path, world);
     if (run.state === 'REFUSED') {
@@ -116,9 +123,17 @@ export class RunController {
       await this.look();
       this.#showState(runText(run), 'trouble');
     } else {
+      this.#clearMessages();
+      this.forgetRobot(); // the next subscription delivers what the new program has already reported
       this.#show(run);
       this.#watch();
     }
+  }
+
+  /** Clears the messages of the previous version of the program. */
+  #clearMessages() {
+    this.forgetMistakes();
+    this.room.surroundings.clearErrors();
   }
 
   /** Polls the run once. */
@@ -150,8 +165,21 @@ export class RunController {
   /** @param {ProgramRun} run */
   #show(run) {
     this.now = run;
-    this.room.said.showOutput(run.output);
+    this.#showOutput();
+    this.#showMistakes();
     this.draw();
+  }
+
+  /** Shows the errors at their lines of the program, if it is open. */
+  #showMistakes() {
+    if (this.now.program === this.room.files.file?.path) {
+      const crash = crashOf(this.now);
+      this.room.editor.setMistakes(crash ? withMistake(this.#mistakes, crash) : this.#mistakes);
+    }
+  }
+
+  #showOutput() {
+    this.room.said.showOutput(withoutReports(this.now.output, this.#reports));
   }
 
   draw() {
@@ -184,6 +212,7 @@ export class RunController {
 
   forgetMistakes() {
     this.#mistakes = [];
+    this.#reports.clear();
     this.#values.clear();
     this.room.editor.setMistakes([]);
     this.room.editor.setValues([]);
@@ -215,7 +244,7 @@ export class RunController {
   /** Subscribes to the telemetry of the program's robot; a page receives one robot at a time. */
   #listen() {
     const key = ownRobot(this.#robot, this.#before, this.#keys(), this.now.entersFirst);
-    if (key !== this.#robot && !byId('program-room').hidden) {
+    if (key !== '' && key !== this.#robot && !byId('program-room').hidden) {
       const [team, number] = key.split('\t');
       this.#robot = key;
       this.forgetMistakes();
@@ -245,15 +274,20 @@ export class RunController {
     this.#showValues();
   }
 
-  /** @param {import('../state/robot/telemetry.js').LogLine} log */
+  /** Shows a log line: an error at its line of the program, anything else in the log. @param {import('../state/robot/telemetry.js').LogLine} log */
   #addLogLine(log) {
-    this.room.said.addLine(log);
-    const line = lineOf(log.text, this.now.program);
-    if (line > 0 && ['WARNING', 'ERROR'].includes(log.level) && this.now.program === this.room.files.file?.path) {
-      const [text] = log.text.split('\n');
-      this.#mistakes = withMistake(this.#mistakes, { line, text });
-      this.room.editor.setMistakes(this.#mistakes);
+    const isReport = ['WARNING', 'ERROR'].includes(log.level);
+    const line = isReport && this.now.program === this.room.files.file?.path ? lineOf(log.text, this.now.program) : 0;
+    if (line > 0) {
+      this.#mistakes = withMistake(this.#mistakes, { line, text: log.text });
+      this.#showMistakes();
       this.room.said.showMistakes(this.#mistakes);
+    } else {
+      this.room.said.addLine(log);
+    }
+    if (isReport) {
+      this.#reports.add(log.text);
+      this.#showOutput();
     }
   }
 

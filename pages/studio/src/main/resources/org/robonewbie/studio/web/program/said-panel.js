@@ -44,6 +44,7 @@ export class SaidPanel {
 
   /** @param {readonly import('../state/program/remarks.js').Mistake[]} mistakes */
   showMistakes(mistakes) {
+    this.silence.hidden ||= mistakes.length > 0;
     this.mistakes.replaceChildren(...mistakes.map(({ line, text }) => this.#entry(line, text, '')));
   }
 

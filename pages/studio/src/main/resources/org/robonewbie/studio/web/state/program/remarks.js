@@ -33,14 +33,14 @@ export function lineOf(text, path) {
 }
 
 /**
- * Adds a runtime error; an equal message for the same line is not repeated.
+ * Adds a runtime error; it replaces the previous one of its line.
  *
  * @param {readonly Mistake[]} mistakes
  * @param {Mistake} mistake
  * @returns {readonly Mistake[]}
  */
 export function withMistake(mistakes, mistake) {
-  const others = mistakes.filter(({ line, text }) => line !== mistake.line || text !== mistake.text);
+  const others = mistakes.filter(({ line }) => line !== mistake.line);
   return [...others, mistake].slice(-MAX_MISTAKES);
 }
 

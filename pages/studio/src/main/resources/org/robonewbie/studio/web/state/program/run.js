@@ -6,6 +6,9 @@
  */
 import { fileName } from './remarks.js';
 
+const CRASH = /^(Stopped at|Exception in thread) /m;
+const PLACES = /([\w$]+\.java):(\d+)/g;
+const REPORT_TIME = /^\d+\.\d\d s: /;
 const ENDLESS = /think\(\) has not returned.*?\(([^)]*)\)/s;
 
 /** @type {ProgramRun} */
@@ -42,6 +45,34 @@ function endText(name, { output, exitCode }) {
     return `${name} was stopped: think() did not return (${endless[1]}). Is there an infinite loop?`;
   }
   return exitCode === 0 ? `${name} has ended.` : `${name} has failed; see the error below.`;
+}
+
+/**
+ * Finds the error that ended a program, which is in its output only.
+ *
+ * @param {ProgramRun} run
+ * @returns {import('./remarks.js').Mistake | undefined} undefined if no line of the program is known to have ended it
+ */
+export function crashOf({ state, program, output, exitCode }) {
+  const at = state === 'ENDED' && exitCode !== 0 ? output.search(CRASH) : -1;
+  if (at < 0) {
+    return undefined;
+  }
+  const report = output.slice(at);
+  const place = [...report.matchAll(PLACES)].find(([, file]) => file === fileName(program));
+  return place && { line: Number(place[2]), text: report.split('\n')[0] };
+}
+
+/**
+ * Removes from the output of a program what its robot has also reported by telemetry.
+ *
+ * @param {string} output
+ * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log
+ * @returns {string}
+ */
+export function withoutReports(output, reports) {
+  const lines = output.split('\n');
+  return lines.filter((line) => !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
 }
 
 /**

@@ -1,6 +1,7 @@
 package org.robonewbie.web.library.org.robonewbie.agent.log;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.web.PageMemory;
 
@@ -29,10 +30,29 @@ public final class PageStudentCode {
      * @return a position such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place(StackTraceElement[] trace) {
+        return lines(trace).stream().findFirst().map(PageStudentCode::place);
+    }
+
+    /**
+     * Returns the stack frames of the robot's own program.
+     *
+     * @param trace innermost call first
+     * @return its frames, in the same order
+     */
+    public static List<StackTraceElement> lines(StackTraceElement[] trace) {
         return Arrays.stream(trace)
                 .filter(call -> call.getFileName() != null && call.getLineNumber() > 0)
                 .filter(call -> !call.getClassName().startsWith(FRAMEWORK))
-                .findFirst()
-                .map(call -> call.getFileName() + ":" + call.getLineNumber());
+                .toList();
+    }
+
+    /**
+     * Returns the position of a stack frame.
+     *
+     * @param call the stack frame
+     * @return a position such as {@code WalkToBall.java:31}
+     */
+    public static String place(StackTraceElement call) {
+        return call.getFileName() + ":" + call.getLineNumber();
     }
 }
