@@ -55,7 +55,8 @@ final class ApiComments {
         return source(className)
                 .map(COMMENT::matcher)
                 .filter(Matcher::find)
-                .map(comment -> comment.group(1).replaceAll("\\s*\n \\*\\s?", " ").strip())
+                .map(comment ->
+                        comment.group(1).replaceAll("\\s*\n \\*\\s?", " ").strip())
                 .map(text -> TAG.matcher(text).replaceAll("$1"))
                 .orElse("");
     }
