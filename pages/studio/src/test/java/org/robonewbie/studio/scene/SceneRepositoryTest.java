@@ -143,7 +143,7 @@ class SceneRepositoryTest {
                 .hasMessage(
                         "The recording has no cycle 1: it ends earlier, or is damaged at that point. Choose an earlier cycle.");
         assertThatThrownBy(() -> recording(new byte[9]))
-                .hasMessageStartingWith("This is not a recording of RoboNewbie");
+                .hasMessageStartingWith("This is not a RoboNewbie recording");
     }
 
     private static RecordingReader recording(byte[] bytes) throws IOException {
