@@ -51,7 +51,7 @@ class AttachedStudioTest {
             browser.await("document.querySelector('#puppet').hidden && document.querySelector('#scenes').hidden");
             browser.press(" ");
             browser.await(
-                    "document.querySelector('#toast').textContent.startsWith('The clock of a simulation in another process')");
+                    "document.querySelector('#toast').textContent.startsWith('A simulation in another process cannot be paused')");
             browser.click("#drop-ball");
             browser.await("document.querySelector('.mode').textContent === 'Play on'");
 

@@ -219,7 +219,7 @@ class MotionSafetyPageTest {
 
         browser.click("#save");
 
-        browser.await("document.querySelector('#toast').textContent.endsWith('replaces the library’s.')");
+        browser.await("document.querySelector('#toast').textContent.endsWith('it replaces the library motion with that name.')");
     }
 
     @Test
