@@ -191,7 +191,7 @@ class HostileClassTest {
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(grades())
                 .contains("zoe,10.0,10.0,1", "children,0.0,0.0,0", "vandal,0.0,0.0,0", "snoop,0.0,0.0,0")
-                .contains("deep,0.0,0.0,0,raise-arms: It does not compile: its author nested")
+                .contains("deep,0.0,0.0,0,raise-arms: It does not compile: expressions or blocks are nested")
                 .doesNotContain("1234");
         assertThat(Files.readString(folder.resolve("class-grades/findings.csv")))
                 .doesNotContain("1234");
