@@ -27,7 +27,7 @@ class SlowProgramTest {
                 """);
 
         assertThat(said)
-                .containsOnlyOnce("The program executes more than 500000 instructions in a cycle")
+                .containsOnlyOnce("The program executes more than 500000 instructions in one cycle")
                 .containsPattern("at Slow\\.java:[56]\\. There are 50 cycles per simulated second")
                 .contains("Compute less in a cycle");
     }
