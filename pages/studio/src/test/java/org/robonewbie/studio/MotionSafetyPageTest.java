@@ -219,7 +219,8 @@ class MotionSafetyPageTest {
 
         browser.click("#save");
 
-        browser.await("document.querySelector('#toast').textContent.endsWith('it replaces the library motion with that name.')");
+        browser.await(
+                "document.querySelector('#toast').textContent.endsWith('it replaces the library motion with that name.')");
     }
 
     @Test

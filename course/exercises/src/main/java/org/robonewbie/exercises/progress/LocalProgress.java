@@ -62,8 +62,9 @@ public final class LocalProgress implements ProgressStore {
     private void reportDamage(ProgressFile kept) throws IOException {
         if (!damageReported && kept.isDamaged()) {
             damageReported = true;
-            System.err.println("The progress file " + kept.file() + " is damaged and is treated as empty. Your next attempt"
-                    + " renames it to " + kept.damagedFile() + " and starts a new one.");
+            System.err.println(
+                    "The progress file " + kept.file() + " is damaged and is treated as empty. Your next attempt"
+                            + " renames it to " + kept.damagedFile() + " and starts a new one.");
         }
     }
 }

@@ -142,8 +142,7 @@ class SceneRepositoryTest {
         assertThatThrownBy(() -> service.start(recording(bytes), 1, SceneService.ENDS_BEFORE))
                 .hasMessage(
                         "The recording has no cycle 1: it ends earlier, or is damaged at that point. Choose an earlier cycle.");
-        assertThatThrownBy(() -> recording(new byte[9]))
-                .hasMessageStartingWith("This is not a RoboNewbie recording");
+        assertThatThrownBy(() -> recording(new byte[9])).hasMessageStartingWith("This is not a RoboNewbie recording");
     }
 
     private static RecordingReader recording(byte[] bytes) throws IOException {
