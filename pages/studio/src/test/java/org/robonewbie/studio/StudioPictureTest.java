@@ -52,11 +52,11 @@ class StudioPictureTest {
                 Chromium browser = Chromium.open(WIDTH, HEIGHT)) {
             simulation.order(new Order.MoveBall(new Vector3(-3.0, -0.16, 0.042), Vector3.ZERO));
             simulation.afterCycles(150);
-            simulation.order(new Order.DropBall());
             simulation.order(new Order.Pause());
             try (StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
                 browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
+                browser.click("#first-steps button");
                 browser.press("1");
                 browser.evaluate(VIEW);
                 browser.await("studio.camera.isStill");
