@@ -2,10 +2,10 @@ package org.robonewbie.competition.programs;
 
 import java.io.IOException;
 
-/** Starts one process after the other. */
+/** Starts one process after the other, until it is stopped; the number only protects the computer. */
 public final class StartsCrowd {
 
-    private static final int PROCESSES = 400;
+    private static final int MAX_PROCESSES = 3000;
 
     private StartsCrowd() {}
 
@@ -21,7 +21,7 @@ public final class StartsCrowd {
 
     private static void crowd() {
         try {
-            for (int i = 0; i < PROCESSES; i++) {
+            for (int i = 0; i < MAX_PROCESSES; i++) {
                 new ProcessBuilder("sleep", "60").start();
             }
         } catch (IOException refused) {
