@@ -25,7 +25,7 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final double REST_3 = 8.4784276603689e-32;
 
     /** Limit below which multiples of the 33-bit parts of pi/2 are exact: 2^19 pi/2. */
-    static final double LARGE = 0x1.921fcp19;
+    private static final double LARGE = 0x1.921fcp19;
 
     private static final int MANY_MULTIPLES = 32;
 
@@ -45,8 +45,18 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final int FRACTION = 192;
     private static final int DOUBLE_BITS = 53;
 
-    /** Reduces an angle from 0 to {@link #LARGE} radians. */
-    static HalfPiRemainder ofMedium(double x) {
+    /**
+     * Reduces a non-negative angle. The record is created at a single point in the code so that escape analysis can
+     * avoid the allocation.
+     */
+    static HalfPiRemainder of(double radians) {
+        if (radians < LARGE) {
+            return ofMedium(radians);
+        }
+        return radians <= Double.MAX_VALUE ? ofLarge(radians) : new HalfPiRemainder(0, Double.NaN, 0);
+    }
+
+    private static HalfPiRemainder ofMedium(double x) {
         int multiple = (int) (x * TWO_OVER_PI + 0.5);
         double n = multiple;
         double rest = x - n * PART_1;
@@ -77,11 +87,7 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
         return (Words.high(x) >> 20) & 0x7ff;
     }
 
-    /** Reduces an angle of at least {@link #LARGE} radians; the remainder of infinity and NaN is NaN. */
-    static HalfPiRemainder ofLarge(double x) {
-        if (!Double.isFinite(x)) {
-            return new HalfPiRemainder(0, Double.NaN, 0);
-        }
+    private static HalfPiRemainder ofLarge(double x) {
         long bits = Double.doubleToRawLongBits(x);
         BigInteger fraction = BigInteger.valueOf((bits & 0xF_FFFF_FFFF_FFFFL) | 0x10_0000_0000_0000L);
         int unit = exponent(x) - 1075;

@@ -53,7 +53,8 @@ final class Trigonometry {
         if (Math.abs(x) < QUARTER_PI) {
             return sinNearZero(x, 0);
         }
-        double sine = sinTurned(Math.abs(x), 0);
+        HalfPiRemainder reduced = HalfPiRemainder.of(Math.abs(x));
+        double sine = turned(reduced, reduced.quadrant());
         return x < 0 ? -sine : sine;
     }
 
@@ -61,34 +62,22 @@ final class Trigonometry {
         if (Math.abs(x) < QUARTER_PI) {
             return cosNearZero(x, 0);
         }
-        return sinTurned(Math.abs(x), 1);
+        HalfPiRemainder reduced = HalfPiRemainder.of(Math.abs(x));
+        return turned(reduced, reduced.quadrant() + 1);
     }
 
     static double tan(double x) {
-        double size = Math.abs(x);
-        if (size < QUARTER_PI) {
+        if (Math.abs(x) < QUARTER_PI) {
             return tanNearZero(x, 0, false);
         }
-        HalfPiRemainder reduced =
-                size < HalfPiRemainder.LARGE ? HalfPiRemainder.ofMedium(size) : HalfPiRemainder.ofLarge(size);
+        HalfPiRemainder reduced = HalfPiRemainder.of(Math.abs(x));
         double tangent = tanNearZero(reduced.head(), reduced.tail(), (reduced.quadrant() & 1) == 1);
         return x < 0 ? -tangent : tangent;
     }
 
-    /**
-     * Returns the sine of a non-negative angle plus the given number of quarter turns. The remainder of medium angles
-     * has its own branch, so that escape analysis can avoid its allocation.
-     */
-    private static double sinTurned(double angle, int quarterTurns) {
-        if (angle < HalfPiRemainder.LARGE) {
-            return sinTurned(HalfPiRemainder.ofMedium(angle), quarterTurns);
-        }
-        return sinTurned(HalfPiRemainder.ofLarge(angle), quarterTurns);
-    }
-
     /** Returns the sine of a reduced angle plus the given number of quarter turns. */
-    private static double sinTurned(HalfPiRemainder angle, int quarterTurns) {
-        return switch ((angle.quadrant() + quarterTurns) & 3) {
+    private static double turned(HalfPiRemainder angle, int quarterTurns) {
+        return switch (quarterTurns & 3) {
             case 0 -> sinNearZero(angle.head(), angle.tail());
             case 1 -> cosNearZero(angle.head(), angle.tail());
             case 2 -> -sinNearZero(angle.head(), angle.tail());
