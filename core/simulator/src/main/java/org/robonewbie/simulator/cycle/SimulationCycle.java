@@ -58,7 +58,7 @@ public final class SimulationCycle implements Restorable {
     private final boolean synchronous;
     private final RateLimitedLogger refusals;
     private Consumer<MatchEvent> reporter = event -> {};
-    private Console departures = Console.silent();
+    private final Console departures;
     private long cycle;
 
     /**
@@ -67,14 +67,16 @@ public final class SimulationCycle implements Restorable {
      * @param settings the world to simulate
      * @param recording receives the recording of the run
      * @param console output for messages to the user
+     * @param departures output for the reasons why agents leave, which viewers see anyway
      */
-    public SimulationCycle(WorldSettings settings, RecordingTarget recording, Console console) {
+    public SimulationCycle(WorldSettings settings, RecordingTarget recording, Console console, Console departures) {
         Random seeds = new Random(settings.seed());
         this.world = world(settings);
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
         this.effectors = new Effectors(world, match, settings.camera(), seeds.nextLong());
         this.perceptors = new PerceptorGenerator(world, match);
         this.console = console;
+        this.departures = departures;
         this.refusals = new RateLimitedLogger(console, "The simulator");
         this.synchronous = settings.synchronous();
         this.description = settings.description();
@@ -274,15 +276,6 @@ public final class SimulationCycle implements Restorable {
      */
     public void reportEventsTo(Consumer<MatchEvent> newReporter) {
         reporter = newReporter;
-    }
-
-    /**
-     * Sets the output for departures of agents, which viewers see anyway.
-     *
-     * @param newDepartures receives the reason of each departure
-     */
-    public void reportDeparturesTo(Console newDepartures) {
-        departures = newDepartures;
     }
 
     /** Runs one cycle with the messages read so far. */

@@ -64,7 +64,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * @return the simulator, before its first cycle
      */
     public static SteppedSimulator start(WorldSettings settings, RecordingTarget recording, Console console) {
-        return new SteppedSimulator(settings, new SimulationCycle(settings, recording, console));
+        return new SteppedSimulator(settings, new SimulationCycle(settings, recording, console, Console.silent()));
     }
 
     /**

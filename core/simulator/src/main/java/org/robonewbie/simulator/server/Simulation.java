@@ -72,8 +72,8 @@ final class Simulation implements SimulationControl, Runnable {
         this.cycle = new SimulationCycle(
                 settings.world(),
                 RecordingFile.openIfWanted(settings.output().recording(), console::say),
-                this.console);
-        this.cycle.reportDeparturesTo(console);
+                this.console,
+                console);
         this.cycle.reportEventsTo(event -> observers.forEach(observer -> observer.happened(event)));
         this.acceptor = new AgentAcceptor(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed());

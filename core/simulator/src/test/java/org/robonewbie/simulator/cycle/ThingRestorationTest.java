@@ -20,7 +20,10 @@ class ThingRestorationTest {
     private static final Thing BOX = Landscape.BOX.things().get(0);
 
     private final SimulationCycle cycle = new SimulationCycle(
-            WorldSettings.beginner().withLandscape(Landscape.BOX), RecordingTarget.NONE, Console.silent());
+            WorldSettings.beginner().withLandscape(Landscape.BOX),
+            RecordingTarget.NONE,
+            Console.silent(),
+            Console.silent());
 
     private WorldSnapshot after(int cycles) {
         for (int i = 0; i < cycles; i++) {

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RecordingTarget;
@@ -155,7 +156,8 @@ class RecordedDialogueTest {
                                     .with("BeamNoiseAngle=0"))
                             .withNoise(false),
                     RecordingTarget.NONE,
-                    new RecordingConsole());
+                    new RecordingConsole(),
+                    Console.silent());
         }
 
         Speaker connect() {
