@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.programs.completion.CommentCollector;
+import org.robonewbie.programs.completion.PlainJavadoc;
 
 /** Reads the framework's Javadoc comments from its packaged sources. */
 final class ApiComments {
@@ -22,8 +23,6 @@ final class ApiComments {
 
     /** The first comment of a file up to the end of its first sentence. */
     private static final Pattern COMMENT = Pattern.compile("(?s)/\\*\\*(.*?\\.)\\s");
-
-    private static final Pattern TAG = Pattern.compile("\\{@\\w+ ([^}]*)}");
 
     /** Comments that have been read, by class and member, such as {@code setJointSpeed/2}. */
     private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
@@ -55,9 +54,7 @@ final class ApiComments {
         return source(className)
                 .map(COMMENT::matcher)
                 .filter(Matcher::find)
-                .map(comment ->
-                        comment.group(1).replaceAll("\\s*\n \\*\\s?", " ").strip())
-                .map(text -> TAG.matcher(text).replaceAll("$1"))
+                .map(comment -> PlainJavadoc.of(comment.group(1).replaceAll("\\s*\n \\*\\s?", " ")))
                 .orElse("");
     }
 

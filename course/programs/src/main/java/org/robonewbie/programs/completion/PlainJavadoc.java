@@ -1,12 +1,17 @@
 package org.robonewbie.programs.completion;
 
 /** Converts documentation comments to plain text. */
-final class PlainJavadoc {
+public final class PlainJavadoc {
 
     private PlainJavadoc() {}
 
-    /** Removes tags and HTML from a documentation comment. */
-    static String of(String comment) {
+    /**
+     * Removes tags and HTML from a documentation comment.
+     *
+     * @param comment the comment without its delimiters
+     * @return plain text
+     */
+    public static String of(String comment) {
         return comment.replaceAll("\\{@return\\s+([^}]*)\\}", "Returns $1.")
                 .replaceAll("(?s)<pre>\\{@code(.*?)\\}</pre>", "$1")
                 .replaceAll("\\{@link(?:plain)?\\s+(?:[^}\\s]*\\s+)?([^}]*)\\}", "$1")
