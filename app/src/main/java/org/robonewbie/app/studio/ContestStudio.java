@@ -19,7 +19,7 @@ import org.robonewbie.studio.wall.WallTable;
 
 /**
  * Studio for a running contest. The contest display shows all running trials side by side, and the league table. Each trial
- * is also shown full size in a studio of its own.
+ * is also shown full size in a separate studio.
  */
 public final class ContestStudio implements Spectators, AutoCloseable {
 

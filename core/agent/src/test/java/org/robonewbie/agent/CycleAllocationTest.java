@@ -29,8 +29,8 @@ import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
 /**
- * Counts what a cycle allocates beyond the perceptions, which are made beforehand here. A Java of its own runs without the optimising
- * compiler: what that saves in addition depends on what ran before.
+ * Measures the bytes that a cycle allocates, not counting the perceptor messages, which are created in advance. A separate JVM runs
+ * without the optimising compiler, because the allocations that this compiler avoids depend on the tests that ran before.
  */
 class CycleAllocationTest {
 

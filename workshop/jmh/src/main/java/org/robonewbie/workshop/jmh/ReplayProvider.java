@@ -6,7 +6,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Provider of a simulator that does no work of its own. */
+/** Provider of a simulator that only replays recorded messages. */
 public final class ReplayProvider implements SimulatorProvider {
 
     /** Creates the provider. */
