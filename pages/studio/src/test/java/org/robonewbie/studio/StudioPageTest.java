@@ -81,18 +81,6 @@ class StudioPageTest {
                 .isFalse();
     }
 
-    @Test
-    void browserWithoutWebGlShowsWhatToDo() {
-        String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
-        try {
-            browser.visit(studio.oneTimeAddress().toString());
-
-            browser.await("document.querySelector('#banner').innerText.includes('Switch on WebGL')");
-        } finally {
-            browser.forgetScript(script);
-        }
-    }
-
     @Tag("slow")
     @Test
     void keysFollowTheNextRobot() {

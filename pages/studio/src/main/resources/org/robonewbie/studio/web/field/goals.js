@@ -1,6 +1,7 @@
 /** The two goals with their nets. A goal between the camera and the followed robot fades out. */
 import * as THREE from 'three';
 import { hidesRobot } from '../state/goal-occlusion.js';
+import { SUN } from './light.js';
 
 /** @typedef {import('../live/state-frame.js').Field} Field */
 
@@ -11,6 +12,34 @@ const NET_OPACITY = 0.6;
 /** Opacity of a faded goal, which can still be made out. */
 const MIN_OPACITY = 0.06;
 const FADE_SECONDS = 0.3;
+
+/** Flattens a goal to its shadow, a little above the lines on the ground. */
+const ONTO_GROUND = new THREE.Matrix4().set(
+  1,
+  0,
+  -SUN.x / SUN.z,
+  0,
+  0,
+  1,
+  -SUN.y / SUN.z,
+  0,
+  0,
+  0,
+  0,
+  0.003,
+  0,
+  0,
+  0,
+  1,
+);
+const SHADOW = {
+  color: 0x000a06,
+  transparent: true,
+  depthWrite: false,
+  polygonOffset: true,
+  polygonOffsetFactor: -3,
+  polygonOffsetUnits: -3,
+};
 
 export class Goals {
   constructor() {
@@ -25,6 +54,13 @@ export class Goals {
     this.goals = [-1, 1].map((end) => new Goal(field, end));
     this.group.clear();
     this.group.add(...this.goals.map(({ group }) => group));
+  }
+
+  /** @param {boolean} real whether the sun casts shadows; otherwise flattened goals are drawn */
+  setShadows(real) {
+    this.goals.forEach(({ shadow }) => {
+      shadow.visible = !real;
+    });
   }
 
   /**
@@ -48,8 +84,15 @@ class Goal {
     this.field = field;
     this.end = end;
     this.opacity = 1;
+    this.shadow = new THREE.Group();
+    this.shadow.add(
+      frame(field, end, new THREE.MeshBasicMaterial({ ...SHADOW, opacity: 0.3 })),
+      net(field, end, new THREE.LineBasicMaterial({ ...SHADOW, opacity: 0.12 })),
+    );
+    this.shadow.matrixAutoUpdate = false;
+    this.shadow.matrix.copy(ONTO_GROUND);
     this.group = new THREE.Group();
-    this.group.add(frame(field, end, this.#bars), net(field, end, this.#threads));
+    this.group.add(frame(field, end, this.#bars), net(field, end, this.#threads), this.shadow);
   }
 
   /** @param {import('../state/view-point.js').ViewPoint | undefined} view @param {number} seconds */

@@ -49,7 +49,7 @@ export class MotionStage {
     this.paint = new LimbPaint(body);
     this.floor = new THREE.Group();
     this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.paint.group, this.floor);
-    this.renderer = opaqueRenderer(true);
+    this.renderer = opaqueRenderer();
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
