@@ -9,6 +9,7 @@ import { SUN } from './light.js';
  * @property {string} style
  * @property {number[]} points x and y of each corner in pixels; of a picture, its left top and right bottom corner
  * @property {boolean} isLine
+ * @property {boolean} [grows] whether it is enlarged to hide the seams to its neighbours
  * @property {CanvasImageSource} [picture]
  *
  * @typedef {object} Body vertices of a mesh and their place in the world
@@ -86,6 +87,7 @@ export class Faces {
           style: styleOf(geometry, look, body, corners[0], normal),
           points: [],
           isLine: false,
+          grows: !(look instanceof THREE.MeshBasicMaterial),
         });
       }
     }
@@ -116,7 +118,7 @@ export class Faces {
     places.forEach((place) => place.applyMatrix4(this.camera.matrixWorldInverse));
     const points = this.#pixels(clipped(places, this.camera.near, face.isLine));
     if (points.length >= (face.isLine ? 4 : 6)) {
-      face.points = face.layer === SOLID && !face.isLine ? enlarged(points) : points;
+      face.points = face.grows ? enlarged(points) : points;
       this.#list.push(face);
     }
   }

@@ -8,7 +8,7 @@ import { Goals } from './goals.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
-import { graphicsOf, opaqueRenderer } from './renderer.js';
+import { graphicsOf, isWebGl, opaqueRenderer } from './renderer.js';
 import { Ring } from './ring.js';
 import { InstancedRobots } from './instanced-robots.js';
 import { SoftShadows } from './soft-shadows.js';
@@ -81,7 +81,7 @@ export class FieldView {
 
   /** Whether the sun can cast shadows. */
   get canShade() {
-    return this.renderer instanceof THREE.WebGLRenderer;
+    return isWebGl(this.renderer);
   }
 
   /** @param {Quality} quality */

@@ -13,9 +13,14 @@ export function opaqueRenderer() {
   return context ? new THREE.WebGLRenderer({ canvas, context }) : /** @type {any} */ (new CanvasRenderer());
 }
 
+/** @param {THREE.WebGLRenderer} renderer @returns {boolean} whether it uses WebGL, not a 2D canvas */
+export function isWebGl(renderer) {
+  return renderer instanceof THREE.WebGLRenderer;
+}
+
 /** @param {THREE.WebGLRenderer} renderer @returns {string} the browser's description of the graphics hardware */
 export function graphicsOf(renderer) {
-  if (renderer instanceof CanvasRenderer) {
+  if (!isWebGl(renderer)) {
     return 'software';
   }
   const gl = renderer.getContext();

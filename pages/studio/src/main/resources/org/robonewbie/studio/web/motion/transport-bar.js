@@ -88,7 +88,8 @@ function millisField({ setTime, note }) {
 /** @param {HTMLInputElement} millis */
 function timeField(millis) {
   const title = 'Time from the previous keyframe';
-  return element('label', { class: 'field', title }, 'Time to get there', millis, 'ms');
+  const name = element('span', {}, 'Time', element('span', { class: 'if-wide' }, ' to get there'));
+  return element('label', { class: 'field', title }, name, millis, 'ms');
 }
 
 /** @typedef {ReturnType<typeof partsOf>} Parts */
