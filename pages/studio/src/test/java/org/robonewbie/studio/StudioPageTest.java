@@ -248,6 +248,7 @@ class StudioPageTest {
         browser.click("#theme-button");
     }
 
+    @Tag("slow")
     @Test
     void pageReconnectsWhenTheSimulatorIsRestarted() {
         openStudioWithRobot();
