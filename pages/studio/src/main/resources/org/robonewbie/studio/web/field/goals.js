@@ -76,23 +76,23 @@ export class Goals {
 }
 
 class Goal {
-  #bars = new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044, transparent: true });
-  #threads = new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: NET_OPACITY });
-
   /** @param {Field} field @param {number} end -1 for the left goal, 1 for the right goal */
   constructor(field, end) {
     this.field = field;
     this.end = end;
     this.opacity = 1;
+    const bars = new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044, transparent: true });
+    const threads = new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: NET_OPACITY });
+    const darkBars = new THREE.MeshBasicMaterial({ ...SHADOW, opacity: 0.3 });
+    const darkThreads = new THREE.LineBasicMaterial({ ...SHADOW, opacity: 0.12 });
+    /** Materials with their opacities in a goal that is not faded. @type {Array<[THREE.Material, number]>} */
+    this.looks = [bars, threads, darkBars, darkThreads].map((look) => [look, look.opacity]);
     this.shadow = new THREE.Group();
-    this.shadow.add(
-      frame(field, end, new THREE.MeshBasicMaterial({ ...SHADOW, opacity: 0.3 })),
-      net(field, end, new THREE.LineBasicMaterial({ ...SHADOW, opacity: 0.12 })),
-    );
+    this.shadow.add(frame(field, end, darkBars), net(field, end, darkThreads));
     this.shadow.matrixAutoUpdate = false;
     this.shadow.matrix.copy(ONTO_GROUND);
     this.group = new THREE.Group();
-    this.group.add(frame(field, end, this.#bars), net(field, end, this.#threads), this.shadow);
+    this.group.add(frame(field, end, bars), net(field, end, threads), this.shadow);
   }
 
   /** @param {import('../state/view-point.js').ViewPoint | undefined} view @param {number} seconds */
@@ -100,8 +100,9 @@ class Goal {
     const wanted = view && hidesRobot(this.field, this.end, view) ? MIN_OPACITY : 1;
     const step = seconds / FADE_SECONDS;
     this.opacity += Math.max(-step, Math.min(step, wanted - this.opacity));
-    this.#bars.opacity = this.opacity;
-    this.#threads.opacity = NET_OPACITY * this.opacity;
+    this.looks.forEach(([look, opacity]) => {
+      look.opacity = opacity * this.opacity;
+    });
     return this.opacity !== wanted;
   }
 }
