@@ -163,7 +163,6 @@ export class Studio {
       hasClock: () => this.state.scene?.clock !== false,
       robots: () => this.session.shown.scene?.robots ?? [],
       goTo: (seconds) => this.session.travel((cursor) => cursor.goTo(seconds * CYCLES_PER_SECOND)),
-      fold: (panel) => this.workspace.split.toggle(panel),
     });
   }
 
@@ -268,7 +267,7 @@ export class Studio {
     } else if (!this.chooser.fixed) {
       this.view.refine(now);
     }
-    if (this.workspace.split.isOn && this.robot && this.room() !== 'program') {
+    if (this.workspace.showsRobot && this.robot) {
       this.workspace.agreeOnRobot(this.camera, this.robot.watch);
       this.robot.turn(this.session.shown, this.cursor, now);
     }

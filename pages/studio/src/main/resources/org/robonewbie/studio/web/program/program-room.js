@@ -17,7 +17,6 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} clearErrors dismisses the errors shown on top of the 3D view
  * @property {() => void} goLive
  * @property {(command: object) => void} send
- * @property {(panel: import('../state/layout.js').PanelName) => void} fold
  * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
  */
 
@@ -38,8 +37,8 @@ class ProgramRoom {
   constructor(surroundings) {
     this.surroundings = surroundings;
     this.service = new ProgramService();
-    const code = sidePanel('program', 'code', surroundings.fold);
-    const said = sidePanel('program', 'said', surroundings.fold);
+    const code = sidePanel('program', 'code');
+    const said = sidePanel('program', 'said');
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
