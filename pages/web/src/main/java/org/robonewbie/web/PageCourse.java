@@ -45,6 +45,11 @@ final class PageCourse implements CourseHost, ProgressStore {
         service = new CourseService(new ProgressService(this, new SolutionRepository(this::solution)), this, "");
     }
 
+    @Override
+    public boolean acceptsAgents() {
+        return false;
+    }
+
     /** Answers a request; returns JSON, or a sentence if the request is refused. */
     String answer(String text) {
         request = JsonParser.parseString(text).getAsJsonObject();

@@ -70,15 +70,16 @@ export class FileController {
   /** @param {ProgramList} list */
   async open(list) {
     this.list = list;
+    const { first } = list;
     const last = recall(LAST_PROGRAM, '');
-    const wanted = [last, list.drafts[0]?.path, list.own[0]?.path].find(
+    const wanted = [first?.path, last, list.drafts[0]?.path, list.own[0]?.path].find(
       (path) => path && [...list.own, ...list.drafts].some((each) => each.path === path),
     );
-    if (wanted) {
+    if (wanted && (!first || wanted === first.path)) {
       await this.openOwn(wanted);
     } else {
-      const path = folderOfNew(list.own) + FIRST_NAME;
-      this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
+      const path = first?.path ?? folderOfNew(list.own) + FIRST_NAME;
+      this.#show(opened('own', path, newText(await this.service.newProgram(path, first?.example))), '');
     }
     if (!this.#isPolling) {
       this.#isPolling = true;

@@ -6,7 +6,6 @@ import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseController } from './exercise-controller.js';
 import { FileController } from './file-controller.js';
-import { note } from './note.js';
 import { ProgramService } from './program-service.js';
 import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
@@ -60,12 +59,6 @@ class ProgramRoom {
   async open() {
     const list = await this.service.list();
     if (!list.open) {
-      this.notes.replaceChildren(
-        note(
-          'This studio belongs to an agent that was started separately. To write programs beside the robot, stop the agent (Ctrl+C) and run ' +
-            './robonewbie studio MyAgent.java with the name of your file, or without a file name for a new program.',
-        ),
-      );
       return;
     }
     await this.exercises.open();
