@@ -279,7 +279,7 @@ export class FileController {
     }
   }
 
-  /** Reloads the file if another program has written it and there are no unsaved changes. */
+  /** Opens the program of another run, or reloads the file if another program has written it and there are no unsaved changes. */
   async #look() {
     if (document.hidden || byId('program-room').hidden) {
       return;
@@ -287,16 +287,26 @@ export class FileController {
     const { file } = this;
     try {
       const list = await this.service.list();
-      const now = list.own.find((/** @type {{path: string}} */ { path }) => path === file?.path)?.version;
-      const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
-      this.list = list;
-      if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
-        await this.#reloadChanged(file);
-      } else if (isOther && document.activeElement !== this.choice) {
-        this.#draw();
+      if (list.first && list.first.path !== this.list.first?.path && (await this.drafts.keep())) {
+        await this.open(list);
+        await this.room.runs.look();
+      } else {
+        await this.#take(list, file);
       }
     } catch {
       // The studio is down or restarting, which the connection banner reports.
+    }
+  }
+
+  /** @param {ProgramList} list the current list of files @param {OpenFile | undefined} file the file that was open before it was read */
+  async #take(list, file) {
+    const now = list.own.find(({ path }) => path === file?.path)?.version;
+    const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
+    this.list = list;
+    if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
+      await this.#reloadChanged(file);
+    } else if (isOther && document.activeElement !== this.choice) {
+      this.#draw();
     }
   }
 
