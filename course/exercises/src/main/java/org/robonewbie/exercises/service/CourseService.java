@@ -146,6 +146,7 @@ public final class CourseService implements AutoCloseable {
         json.addProperty("language", language.code());
         json.add("lessons", lessons);
         json.add("programs", array(host.programs()));
+        json.addProperty("acceptsAgents", host.acceptsAgents());
         json.add("standings", standings);
         return json;
     }
