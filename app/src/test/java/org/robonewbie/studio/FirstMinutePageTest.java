@@ -111,6 +111,7 @@ class FirstMinutePageTest {
     void mistakeOfTheCompilerIsFixedFirst() {
         visit("light");
         awaitCard("Make the robot wave");
+        browser.await("studio.rooms.program !== undefined");
         browser.evaluate(
                 "studio.rooms.program.editor.replace(studio.rooms.program.editor.text.replace(', 0)', ', x)'))");
 

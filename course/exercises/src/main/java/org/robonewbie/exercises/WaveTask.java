@@ -61,7 +61,7 @@ final class WaveTask implements Task {
     @Override
     public Score score() {
         if (hasWaved(WAVED_METRES)) {
-            return Score.passed("waved above the head");
+            return Score.passed("the robot waved");
         }
         double highest = hands.stream().mapToDouble(hand -> hand.highest).max().orElse(0);
         return highest > 0

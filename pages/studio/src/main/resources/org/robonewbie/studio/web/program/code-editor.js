@@ -182,7 +182,10 @@ export class CodeEditor {
         ...searchKeymap,
         ...historyKeymap,
       ]),
-      EditorView.contentAttributes.of({ 'aria-label': 'Program. Press Escape, then Tab, to leave the editor.' }),
+      EditorView.contentAttributes.of({
+        tabindex: '0',
+        'aria-label': 'Program. Press Escape, then Tab, to leave the editor.',
+      }),
       EditorView.updateListener.of((update) => update.docChanged && changed()),
       ...[LOOK, SAID_LINES],
     ];

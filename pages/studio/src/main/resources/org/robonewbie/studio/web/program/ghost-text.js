@@ -71,15 +71,19 @@ function insertGhost(view) {
 const look = EditorView.baseTheme({
   '.cm-ghost': { color: 'var(--faint)', fontStyle: 'italic', cursor: 'pointer' },
   '.cm-ghost::after': {
-    content: '"← Tab"',
-    padding: '0 6px',
-    marginLeft: '8px',
-    color: 'var(--on-accent)',
-    backgroundColor: 'var(--accent)',
-    borderRadius: '6px',
-    fontStyle: 'normal',
-    fontWeight: '600',
+    content: '""',
+    display: 'inline-block',
+    width: '28px',
+    height: '18px',
+    margin: '0 10px',
+    verticalAlign: 'middle',
+    backgroundColor: 'var(--right)',
+    clipPath: 'polygon(0 50%, 45% 0, 45% 30%, 100% 30%, 100% 70%, 45% 70%, 45% 100%)',
   },
+  '@media (prefers-reduced-motion: no-preference)': {
+    '.cm-ghost::after': { animation: 'cm-ghost 0.9s ease-in-out infinite alternate' },
+  },
+  '@keyframes cm-ghost': { to: { transform: 'translateX(7px)' } },
   '.cm-ghost-old': { textDecoration: 'line-through', backgroundColor: 'var(--code-failed)' },
 });
 

@@ -18,7 +18,7 @@
  * @property {number} from offset of the replaced text
  * @property {number} to
  * @property {string} insert
- * @property {string} line the whole line after the change, without indentation
+ * @property {string} line the whole statement after the change
  */
 
 /** Storage key of the newcomer's wish to skip the levels. */
@@ -70,7 +70,7 @@ function linesOf(text) {
 
 /** @param {{from: number, text: string}} here @param {string} before @param {string} after @returns {Ghost | undefined} */
 function changed({ from, text }, before, after) {
-  const line = after.trim();
+  const line = after.trim().replace(/ \/\/.*/, '');
   const to = from + text.length;
   if (text.trim() === '') {
     return { from, to, insert: after, line };
