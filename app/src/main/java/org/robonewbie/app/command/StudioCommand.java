@@ -113,7 +113,8 @@ final class StudioCommand implements Callable<Integer> {
         ProcessCompilerService workshop = new ProcessCompilerService(opened.programs());
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
         StudioServer view = StudioViewer.open(shown, port, opened.folders(), course::answer, workshop);
-        URI address = URI.create(view.oneTimeAddress() + opened.place());
+        String place = monitor.isPresent() && file.isEmpty() ? "#field" : opened.place();
+        URI address = URI.create(view.oneTimeAddress() + place);
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
         System.out.println(monitor.map(server -> "Watching the server at " + server + ". Press Control-C to stop.")
@@ -123,7 +124,7 @@ final class StudioCommand implements Callable<Integer> {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
             System.out.println("Showing RoboViz drawings from UDP port " + drawings.number() + ".");
         }
-        show(view, opened.place());
+        show(view, place);
         Thread.currentThread().join();
         return ExitCode.OK;
     }
@@ -142,7 +143,7 @@ final class StudioCommand implements Callable<Integer> {
         if (withoutBrowser) {
             return;
         }
-        if (file.isPresent()) {
+        if (!place.isEmpty()) {
             Browser.open(URI.create(view.oneTimeAddress() + place), Console.standard());
         } else {
             Browser.openUnlessWatched(view, Console.standard());
