@@ -72,6 +72,7 @@ class FormerFilesTest {
         assertThat(file).hasBinaryContent(bytes);
     }
 
+    @Tag("slow")
     @Test
     void programFindsItsNumbersAndProperties() throws Exception {
         String output = ends(
@@ -96,6 +97,7 @@ class FormerFilesTest {
         assertThat(ends(0, "grade", "--progress")).contains("Raise both arms", "begun", "1 try");
     }
 
+    @Tag("slow")
     @Test
     void projectRuns() throws Exception {
         Path project = folder.resolve("my-team");
@@ -107,6 +109,7 @@ class FormerFilesTest {
     }
 
     /** The journal names the class of its experiment, which has changed since then. */
+    @Tag("slow")
     @Test
     void experimentGoesOn() throws Exception {
         Path journal = folder.resolve("push.csv.trials");

@@ -255,6 +255,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void longLinesAreWrapped() {
         for (int width : new int[] {1366, 1024}) {
@@ -334,6 +335,7 @@ class ProgramPageTest {
         assertThat(browser.evaluate("studio.state.frame.cycle").getAsInt()).isEqualTo(before + 1);
     }
 
+    @Tag("slow")
     @Test
     void whatIsNotSavedIsThereAfterTheBrowserHasEnded() throws IOException {
         Files.writeString(folder.resolve("MyAgent.java"), RAISE.replace("DEGREES", "45"));

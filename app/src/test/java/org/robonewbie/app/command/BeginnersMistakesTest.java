@@ -25,6 +25,7 @@ class BeginnersMistakesTest {
 
     private record Ended(int exitCode, String output) {}
 
+    @Tag("slow")
     @Test
     void sleepingIsNamedWithLineAndTime() throws Exception {
         Ended ended = agent("Sleeper", "", "try { Thread.sleep(100); } catch (InterruptedException e) { }");

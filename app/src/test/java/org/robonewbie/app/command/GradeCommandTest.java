@@ -95,6 +95,7 @@ class GradeCommandTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void staticFieldsBelongToOneTrial() throws IOException {
         Printed printed =
@@ -103,6 +104,7 @@ class GradeCommandTest {
         assertThat(printed.exitCode()).as(printed.out()).isZero();
     }
 
+    @Tag("slow")
     @Test
     void programThatEndsTheProcessCostsOnlyItsPoints() throws IOException {
         Printed printed = Printed.by("grade", "raise-arms", program("System.exit(0);"), "--seeds", "1");
@@ -126,6 +128,7 @@ class GradeCommandTest {
         assertThat(printed.err().lines()).contains("  program| 01-raise-arms PASSED: 10.0 of 10 points");
     }
 
+    @Tag("slow")
     @Test
     void compilersMessagesAreNotMarkedAsThoseOfTheProgram() throws IOException {
         Printed printed = Printed.by("grade", "raise-arms", program("nonsense"), "--seeds", "1");
@@ -163,6 +166,7 @@ class GradeCommandTest {
         assertThat(printed.out()).contains("its constructor threw java.lang.IllegalStateException: mistake");
     }
 
+    @Tag("slow")
     @Test
     void exceptionInAStepIsToBeMendedBeforeAnythingElse() throws IOException {
         Printed printed = Printed.by("grade", "raise-arms", program("trials = 1 / (trials - trials);"), "--seeds", "1");
@@ -200,6 +204,7 @@ class GradeCommandTest {
         assertThat(printed.exitCode()).isEqualTo(2);
     }
 
+    @Tag("slow")
     @Test
     void exampleTeamEarnsNoPoints() throws IOException {
         Path file = Files.writeString(

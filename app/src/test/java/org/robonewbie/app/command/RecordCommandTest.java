@@ -72,6 +72,7 @@ class RecordCommandTest {
         assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
     }
 
+    @Tag("slow")
     @Test
     void tablesOfSeveralRunsAreJoinedToThoseThatOneFileWouldHave() throws IOException {
         record(folder.resolve("single"), "--runs", "3", "--threads", "1");
@@ -178,6 +179,7 @@ class RecordCommandTest {
         assertThat(broken.resolve("runs.txt")).doesNotExist();
     }
 
+    @Tag("slow")
     @Test
     void recordingThatWasMadeInAnotherWayIsNotMixed() throws IOException {
         Path set = folder.resolve("set");

@@ -169,6 +169,7 @@ class LocalCourseHostTest {
         assertThatThrownBy(() -> help("POST", "solution")).hasMessageContaining("after 3 graded attempts: 3 more");
     }
 
+    @Tag("slow")
     @Test
     void starterProgramIsWrittenOnceAndFailsWithAHint() throws Exception {
         assertThat(ask("PUT", "raise-arms")).isEqualTo("\"RaiseArms.java\"");

@@ -61,6 +61,7 @@ class ExamplesTest {
         assertThat(Files.readString(report())).containsPattern("\"goals\": \\[\\s*\\{");
     }
 
+    @Tag("slow")
     @Test
     void simpleWalkToBallStopsAtTheBallWithoutTouchingIt() throws Exception {
         Agent_SimpleWalkToBall.main(fast("60", "--pose", "-1.5,1,120"));
@@ -106,6 +107,7 @@ class ExamplesTest {
         assertThat(speedAfter).isCloseTo(90.0 / 600, within(0.001));
     }
 
+    @Tag("slow")
     @Test
     void penaltyAttackerKicksTheBallAtTheGoalkeeper() throws Exception {
         Agent.runTogether(fast("30"), new Agent_PenaltyAttacker(), new Agent_PenaltyGoalkeeper());
@@ -122,6 +124,7 @@ class ExamplesTest {
         assertThat(reported("simulatedSeconds")).isEqualTo(10);
     }
 
+    @Tag("slow")
     @Test
     void soccerTeamStartsItsPlayersWithOneCommand() throws Exception {
         Agent_SoccerTeam.main(

@@ -76,6 +76,7 @@ class MistakesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theLogIsPrintedWhenTheProgramIsInterrupted() throws Exception {
         try (ChildProgram program = run(Patient.class, "--headless", "--seed", "1")) {
@@ -89,6 +90,7 @@ class MistakesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aMissingMotionIsReportedOnceAndTheRunEndsWithExitCode1() throws Exception {
         try (ChildProgram program = run(MissingMotion.class, "--headless", "--seed", "1", "--fast", "--seconds", "2")) {
@@ -124,6 +126,7 @@ class MistakesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void keyframeDeveloperBeginsANewFileAndSaysWhereItIs() throws Exception {
         try (ChildProgram program = run(

@@ -53,7 +53,7 @@ class JavaScriptTest {
         writeMotions(Files.createDirectory(folder.resolve("motions")));
         writeTexts(folder.resolve("texts.json"));
 
-        run(folder, List.of(node.toString(), "--test", "src/test/javascript/"));
+        run(folder, List.of(node.toString(), "src/test/javascript/all.js"));
     }
 
     @Test

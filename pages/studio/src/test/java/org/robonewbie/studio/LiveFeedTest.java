@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -116,6 +117,7 @@ class LiveFeedTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void unchangedWorldIsRepeatedOncePerSecond() throws InterruptedException {
         simulation.order(new Order.Pause());
@@ -148,6 +150,7 @@ class LiveFeedTest {
                 .getAsJsonArray("robots");
     }
 
+    @Tag("slow")
     @Test
     void twentyTwoRobotsNeedLessThanSixtyKibibytesPerSecond() throws InterruptedException {
         for (int i = 1; i < 22; i++) {

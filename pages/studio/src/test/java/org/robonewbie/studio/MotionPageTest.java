@@ -102,6 +102,7 @@ class MotionPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void draggedForearmTurnsItsElbowOnly() throws IOException {
         openFile("500 " + STANDING + "\n");
@@ -174,6 +175,7 @@ class MotionPageTest {
         assertThat(postures).content().contains("look-left");
     }
 
+    @Tag("slow")
     @Test
     void typedAngleKeepsItsDecimalsAndUndoBringsTheOldOneBack() throws IOException {
         openFile(WITH_COMMENTS);

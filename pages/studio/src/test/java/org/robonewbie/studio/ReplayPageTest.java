@@ -85,6 +85,7 @@ class ReplayPageTest {
         return browser.evaluate(expression).getAsDouble();
     }
 
+    @Tag("slow")
     @Test
     void linesOfLogsAreMarkedAndWarningsAreEvents() {
         visit();
@@ -153,6 +154,7 @@ class ReplayPageTest {
         browser.await(STATE + ".index === " + STATE + ".count - 1 && !" + STATE + ".playing");
     }
 
+    @Tag("slow")
     @Test
     void fieldShowsTheSameMomentUntilOneGoesBackToNow() {
         visit();
@@ -167,6 +169,7 @@ class ReplayPageTest {
         browser.await("getComputedStyle(document.querySelector('#transport')).display !== 'none'");
     }
 
+    @Tag("slow")
     @Test
     void tableHasOneLineForEachCycle() {
         visit();

@@ -7,6 +7,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.embedded.RedirectPage;
@@ -36,6 +37,7 @@ class SignInPageTest {
         simulation.close();
     }
 
+    @Tag("slow")
     @Test
     void unknownBrowserShowsHowToSignInAndThenReconnects() {
         String elsewhere = "http://localhost:" + studio.address().getPort() + "/"; // without the cookie of 127.0.0.1

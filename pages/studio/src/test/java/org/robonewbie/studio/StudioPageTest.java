@@ -260,6 +260,7 @@ class StudioPageTest {
         browser.click("#theme-button");
     }
 
+    @Tag("slow")
     @Test
     void pageReconnectsWhenTheSimulatorIsRestarted() {
         openStudioWithRobot();

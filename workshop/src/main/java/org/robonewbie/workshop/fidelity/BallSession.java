@@ -18,7 +18,7 @@ import org.robonewbie.simulator.world.BallProperties;
  * step.
  *
  * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and a case
- * starts with the first message that shows it elsewhere. The game clock assigns the messages to cycles.
+ * starts with the first message that shows it elsewhere, even a partial scene. The game clock assigns the messages to cycles.
  */
 final class BallSession {
 
@@ -35,11 +35,8 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /**
-     * Records one case. Returns an empty result if monitor messages were delayed and the first cycle is therefore
-     * unknown.
-     */
-    Optional<List<String>> record(BallCase ballCase) throws IOException {
+    /** Records one case. Returns one line per cycle, with the ball where the monitor received a full scene. */
+    List<String> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);
         int start = monitor.count();
@@ -47,17 +44,12 @@ final class BallSession {
         put(ball.position(), ball.velocity());
         pass(ballCase.cycles() + CYCLES_TO_WAIT);
         List<String> lines = new ArrayList<>();
-        boolean isStartKnown = true;
         double first = Double.NaN;
         double last = Double.NEGATIVE_INFINITY;
         for (MonitorFeed.Sight sight : monitor.sightsFrom(start)) {
             MonitoredGame game = sight.game();
             if (lines.isEmpty() && !sight.ball().map(BallSession::hasLeft).orElse(false)) {
-                isStartKnown = sight.ball().isPresent();
                 continue;
-            }
-            if (!isStartKnown) {
-                return Optional.empty();
             }
             if (lines.size() == ballCase.cycles() || game.timeSeconds() < last + Cycle.SECONDS / 2) {
                 continue;
@@ -67,9 +59,12 @@ final class BallSession {
             if (Math.round((last - first) / Cycle.SECONDS) != lines.size()) {
                 throw new IOException(ReferenceSession.STEP_ADVICE);
             }
-            lines.add(RowWriter.ballRow(ballCase, lines.size(), sight.ball(), game));
+            lines.add(RowWriter.ballRow(ballCase, lines.size(), sight.ball().filter(place -> sight.isFull()), game));
         }
-        return lines.size() < ballCase.cycles() ? Optional.empty() : Optional.of(lines);
+        if (lines.size() < ballCase.cycles()) {
+            throw new IOException(ReferenceSession.STEP_ADVICE);
+        }
+        return lines;
     }
 
     private static boolean hasLeft(Vector3 ball) {

@@ -30,11 +30,12 @@ final class MonitorFeed implements AutoCloseable {
     /**
      * Contents of one message.
      *
+     * @param isFull whether the message contains the full scene; positions from a partial scene are inexact
      * @param torso torso pose of the watched robot
      * @param ball centre of the ball
      * @param game game state
      */
-    record Sight(Optional<BodyPose> torso, Optional<Vector3> ball, MonitoredGame game) {}
+    record Sight(boolean isFull, Optional<BodyPose> torso, Optional<Vector3> ball, MonitoredGame game) {}
 
     private static final String FULL_SCENE = "(RSG";
     private static final long POLL_NANOSECONDS = 500_000;
@@ -119,16 +120,19 @@ final class MonitorFeed implements AutoCloseable {
         return sights.size();
     }
 
-    /** Returns the torso pose in the message with the given zero-based index. */
+    /** Returns the torso pose in the message with the given zero-based index if the message contains the full scene. */
     synchronized Optional<BodyPose> torso(int index) {
-        return index >= 0 && index < sights.size() ? sights.get(index).torso() : Optional.empty();
+        return index >= 0 && index < sights.size() && sights.get(index).isFull()
+                ? sights.get(index).torso()
+                : Optional.empty();
     }
 
     /** Returns the torso pose in the latest full scene. */
     synchronized Optional<BodyPose> lastTorso() {
         for (int i = sights.size() - 1; i >= 0; i--) {
-            if (sights.get(i).torso().isPresent()) {
-                return sights.get(i).torso();
+            Optional<BodyPose> torso = torso(i);
+            if (torso.isPresent()) {
+                return torso;
             }
         }
         return Optional.empty();
@@ -156,16 +160,12 @@ final class MonitorFeed implements AutoCloseable {
         }
     }
 
-    /**
-     * Returns the contents of the latest message. Positions are included only for a full scene, because those in
-     * partial scenes are inexact.
-     */
     private Sight sight() {
         MonitoredWorld world = link.world();
-        boolean exact = world.isCurrent() && lastText.contains(FULL_SCENE);
         return new Sight(
-                watched.flatMap(world::robot).flatMap(MonitorFeed::torsoOf).filter(torso -> exact),
-                world.ball().map(TransformNode::position).filter(ball -> exact),
+                world.isCurrent() && lastText.contains(FULL_SCENE),
+                watched.flatMap(world::robot).flatMap(MonitorFeed::torsoOf),
+                world.ball().map(TransformNode::position),
                 world.gameState());
     }
 

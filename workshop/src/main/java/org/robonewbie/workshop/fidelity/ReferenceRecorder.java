@@ -66,7 +66,7 @@ public final class ReferenceRecorder {
             try (ReferenceSession session = ReferenceSession.open(server)) {
                 Optional<ReferenceSession.Take> take = scenario.balls().isEmpty()
                         ? session.record(type, scenario.commands())
-                        : session.recordBalls(scenario.balls());
+                        : Optional.of(session.recordBalls(scenario.balls()));
                 if (take.isPresent()) {
                     reportNoise(take.get());
                     return take.get();

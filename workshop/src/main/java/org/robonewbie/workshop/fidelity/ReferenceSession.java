@@ -100,20 +100,16 @@ final class ReferenceSession implements AutoCloseable {
                         lines(rows, newest - 1), Optional.of(way), isBeamedElsewhere(newest - 1, rows.size())));
     }
 
-    /** Records balls in order while a robot stands idle. Returns an empty result if monitor messages were delayed. */
-    Optional<Take> recordBalls(List<BallCase> cases) throws IOException {
+    /** Records balls in order while a robot stands idle. */
+    Take recordBalls(List<BallCase> cases) throws IOException {
         takePlace(0);
         standStill();
         BallSession balls = new BallSession(this, monitor);
         List<String> lines = new ArrayList<>();
         for (BallCase ballCase : cases) {
-            Optional<List<String>> recorded = balls.record(ballCase);
-            if (recorded.isEmpty()) {
-                return Optional.empty();
-            }
-            lines.addAll(recorded.get());
+            lines.addAll(balls.record(ballCase));
         }
-        return Optional.of(new Take(lines, Optional.empty(), false));
+        return new Take(lines, Optional.empty(), false);
     }
 
     @Override

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
@@ -90,6 +91,7 @@ class SyncModeTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void fiveWhoJoinAndFallSilentCostTheOthersNoMoreThanOne() throws IOException {
         try (Simulator simulator = start(3);

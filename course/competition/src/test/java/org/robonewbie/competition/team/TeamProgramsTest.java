@@ -64,6 +64,7 @@ class TeamProgramsTest {
         assertThat(during.fingerprint()).isEqualTo(before.fingerprint());
     }
 
+    @Tag("slow")
     @Test
     void singleFileBringsItsFolderAndNothingBelow() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
@@ -77,6 +78,7 @@ class TeamProgramsTest {
         assertThat(((TeamProgram.OfJava) program).mainClasses()).containsEntry(Role.MAIN, "Striker");
     }
 
+    @Tag("slow")
     @Test
     void mavenProjectIsCompiledWithoutMaven() throws IOException {
         write("red/pom.xml", "<project/>");
@@ -160,6 +162,7 @@ class TeamProgramsTest {
         assertThat(find("Red=red").fingerprint()).isNotEqualTo(before);
     }
 
+    @Tag("slow")
     @Test
     void folderOfAnotherTeamWithinOnesOwnDoesNotBelongToIt() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));
@@ -280,6 +283,7 @@ class TeamProgramsTest {
                         "-1,0.5,90");
     }
 
+    @Tag("slow")
     @Test
     void pathOfWindowsIsUnderstood() throws IOException {
         write("teams/red/Striker.java", AGENT.formatted("Striker"));
@@ -319,6 +323,7 @@ class TeamProgramsTest {
         assertThat(find("Red=red")).isInstanceOf(TeamProgram.OfJava.class);
     }
 
+    @Tag("slow")
     @Test
     void fileThatIsNoTextIsACompilersComplaint() throws IOException {
         write("red/Striker.java", AGENT.formatted("Striker"));

@@ -111,6 +111,7 @@ class AttacksTest {
                 .isEmpty();
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void crowdOfProcessesCostsTheTrial(Ground ground) throws Exception {
@@ -119,6 +120,7 @@ class AttacksTest {
         assertThat(result.of("Evil").ending()).isEqualTo(Ending.TOO_MANY_PROCESSES);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void memoryOfAJavaProgramIsLimited(Ground ground) throws Exception {
@@ -140,6 +142,7 @@ class AttacksTest {
         assertThat(result.of("Evil").ending()).isEqualTo(Ending.TOO_MUCH_MEMORY);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void outputIsLimited(Ground ground) throws Exception {

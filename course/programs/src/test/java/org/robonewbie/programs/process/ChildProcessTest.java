@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -79,6 +80,7 @@ class ChildProcessTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void processorTimeIsLimited() throws IOException {
         Limits limits = new Limits(64, 0.5, SECONDS, SECONDS, SECONDS);

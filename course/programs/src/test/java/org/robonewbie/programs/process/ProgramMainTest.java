@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +31,7 @@ class ProgramMainTest {
 
     private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
 
+    @Tag("slow")
     @Test
     void compilerAnswersWithThePrograms() throws IOException {
         Files.writeString(folder.resolve("Hello.java"), "class Hello { public static void main(String[] args) {} }");
@@ -44,6 +46,7 @@ class ProgramMainTest {
         assertThat(classes.resolve("Hello.class")).exists();
     }
 
+    @Tag("slow")
     @Test
     void mistakesAreExitCodeOne() throws IOException {
         Files.writeString(folder.resolve("Hello.java"), "class Hello { int number = true; }");

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -50,6 +51,7 @@ class RobotProcessTest {
         }
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({
         "int[] none = {}; none[1] = 0;, FAILED_STEP, ''",
@@ -70,6 +72,7 @@ class RobotProcessTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void robotThatLeavesTheGameStandsUntilTheEndOfTheTrial() throws IOException {
         write("", "leaveGame();");
@@ -84,6 +87,7 @@ class RobotProcessTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void classThatIsNoAgentIsRefused() throws IOException {
         Files.writeString(folder.resolve("Mover.java"), "public class Mover {}");

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,6 +47,7 @@ class WorkerPoolTest {
         pool.close();
     }
 
+    @Tag("slow")
     @Test
     void eachRunHasFreshStaticFieldsAndItsOwnFailure() throws IOException {
         String failure = "The program failed. It said: Repeats ended with java.lang.IllegalStateException: run 1"
@@ -63,6 +65,7 @@ class WorkerPoolTest {
         assertThat(run("succeed")).contains("");
     }
 
+    @Tag("slow")
     @Test
     void interruptionByTheUserIsNoFailure() throws IOException {
         assertThat(run("exit", "130")).isEmpty();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Vector3;
@@ -39,6 +40,7 @@ class ReceiverTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void itStandsBehindTheEndOfThePassAndDoesNotTurnItsBackToTheGoal() {
         try (Trial trial = trial()) {

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.policy.Policy;
@@ -37,6 +38,7 @@ class PolicyModelTest {
         assertThat(result.seconds()).isGreaterThan(3);
     }
 
+    @Tag("slow")
     @Test
     void learnsWhatPays() throws IOException {
         PolicyModel salute = model(Salute.class.getName(), NOISE);
@@ -129,6 +131,7 @@ class PolicyModelTest {
         assertThat(learned.meanReturn()).isGreaterThan(alone.meanReturn() + 0.15);
     }
 
+    @Tag("slow")
     @Test
     void shippedStandBearsHarderPushesThanTheStanceAlone() throws IOException {
         PolicyModel stand = model("Stand", "gyro\\.(forward|left)", 0, NOISE);
@@ -140,6 +143,7 @@ class PolicyModelTest {
         assertThat(learned.successes()).isGreaterThan(alone.successes() + 8);
     }
 
+    @Tag("slow")
     @Test
     void shippedGetUpStandsUpMoreOftenThanTheMotionAloneWhereFeetHoldLessOrMore() throws IOException {
         PolicyModel getUp = model(

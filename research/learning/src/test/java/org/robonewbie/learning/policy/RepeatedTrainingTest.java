@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.policy.Policy;
@@ -20,6 +21,7 @@ class RepeatedTrainingTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void lastRoundOfTheRunBeginsAsItDid() throws IOException {
         PolicyModel run =
@@ -31,6 +33,7 @@ class RepeatedTrainingTest {
         assertThat(line).isEqualTo("1,40,9784,-2.3268,13,0.2641,11.514,27");
     }
 
+    @Tag("slow")
     @Test
     void lastRoundOfTheJogBeginsAsItDid() throws IOException {
         PolicyModel jog = model("JogGait", "speed=0.6..1.15", "type=0..4", "slow=0.6", "push=5");
@@ -66,6 +69,7 @@ class RepeatedTrainingTest {
                 .isEqualTo("1,32,4168,0.0377,10,,,2");
     }
 
+    @Tag("slow")
     @Test
     void getUpIsTrainedAsBefore() throws IOException {
         PolicyModel getUp = modelWithInputs(
