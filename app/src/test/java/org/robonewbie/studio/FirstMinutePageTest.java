@@ -136,6 +136,22 @@ class FirstMinutePageTest {
     }
 
     @Test
+    void reloadedPageContinuesWithTheSameLevelAndText() {
+        visit("light");
+        awaitCard("Make the robot wave");
+        insertGhosts();
+        browser.await("studio.rooms.program?.isAtRisk === false");
+
+        visit("light");
+
+        awaitCard("Press ▶ Run");
+        browser.press("Enter", CTRL);
+        awaitCard("Well done: ");
+        visit("light");
+        awaitCard("Make it look at the ball");
+    }
+
+    @Test
     void levelsSpeakGerman() {
         visit("light");
         awaitCard("Make the robot wave");

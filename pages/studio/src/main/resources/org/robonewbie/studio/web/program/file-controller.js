@@ -113,7 +113,7 @@ export class FileController {
 
   /** Opens a program, which starts with the given text if it is new. @param {string} path @param {string} text */
   async begin(path, text) {
-    if (!(await this.drafts.keep())) {
+    if (this.isAtRisk && !(await this.drafts.keep())) {
       return;
     }
     await this.refresh();
