@@ -181,8 +181,6 @@ export class Studio {
   }
 
   #build() {
-    const shadows = this.options.get('shadows') === 'on';
-    const setShadows = this.#withRedraw((/** @type {boolean} */ on) => this.view.setShadows(on));
     const puppet = new PuppetPanel({
       now: () => this.state,
       chosen: () => this.camera.chosen,
@@ -195,8 +193,7 @@ export class Studio {
       transportPanel(this.time),
       cameraPanel(this.camera, {
         choose: this.field.chooseCamera,
-        shadows,
-        setShadows,
+        view: this.view,
         show: this.field.showBeside,
       }),
       trainerPanel(this.send),
@@ -209,7 +206,10 @@ export class Studio {
     this.diagnostics = new DiagnosticsList(this.#lookInside);
     this.puppet = puppet;
     this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
-    setShadows(shadows);
+    const shadows = this.options.get('shadows');
+    if (shadows) {
+      this.view.setShadows(shadows === 'on');
+    }
   }
 
   #listen() {

@@ -1,6 +1,6 @@
 /** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
 import { ask } from '../live/server.js';
-import { hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import { byLevel, hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
 import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
@@ -130,7 +130,7 @@ export class CoursePanel {
   async #refresh() {
     const { language, lessons, programs, acceptsAgents, standings } = await this.#ask('course');
     this.#language.value = language;
-    this.#lessons = lessons;
+    this.#lessons = byLevel(lessons);
     this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
     if (standings) {
       this.#standings.show(standings);

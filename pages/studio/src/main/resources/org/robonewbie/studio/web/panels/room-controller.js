@@ -92,7 +92,7 @@ export class RoomController {
         program: () => this.#openProgram(),
       }[room]();
     } catch (error) {
-      this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
+      this.surroundings.note(`This room cannot be opened: ${/** @type {Error} */ (error).message}`);
     }
     this.opening.delete(room);
   }
