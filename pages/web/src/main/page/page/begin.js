@@ -82,10 +82,10 @@ async function begin(worker) {
     (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),
   );
   Object.assign(window, { studio });
-  addAssignment();
   addExportButtons(() => studio.rooms.program, repository);
   addRecordingTools(() => studio, recordings);
   studio.start();
+  addAssignment();
   if (trouble) {
     studio.note(trouble);
   }

@@ -22,8 +22,11 @@ export class ClassWorker {
     return worker;
   }
 
-  /** @param {any} data */
+  /** @param {any} data status of the worker; texts and bytes about the world are ignored */
   #receive(data) {
+    if (typeof data === 'string') {
+      return;
+    }
     if ('result' in data) {
       this.#waiting.get(data.id)?.(data.result);
       this.#waiting.delete(data.id);

@@ -5,10 +5,12 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
@@ -59,9 +61,7 @@ public final class ClassService {
         for (HandIn work : received.accepted()) {
             students.add(work.student());
             seeds = Math.max(seeds, work.seeds());
-            for (Exercise exercise : Exercises.all()) {
-                work.program(exercise.className()).ifPresent(text -> programs.add(program(work, exercise)));
-            }
+            work.solved().forEach(exercise -> programs.add(program(work, exercise)));
         }
         JsonObject json = new JsonObject();
         json.addProperty("seeds", seeds);
@@ -75,7 +75,7 @@ public final class ClassService {
         JsonObject json = new JsonObject();
         json.addProperty("student", work.student());
         json.addProperty("exercise", exercise.name());
-        json.addProperty("file", exercise.className() + HandIn.JAVA);
+        json.addProperty("file", HandIn.file(exercise));
         json.add("files", object(work.files()));
         return json;
     }
@@ -91,25 +91,22 @@ public final class ClassService {
         JsonObject read = parse(request);
         ReceivedWork received = received(read);
         List<CopyCheck.Program> programs = new ArrayList<>();
-        TreeSet<String> students = new TreeSet<>(received.troubles().keySet());
-        TreeSet<Integer> numbers = new TreeSet<>();
+        Set<String> students = new TreeSet<>(received.troubles().keySet());
+        Set<String> columns = new HashSet<>();
         for (HandIn work : received.accepted()) {
             students.add(work.student());
-            work.exercises().stream()
-                    .flatMap(name -> Exercises.find(name).stream())
-                    .forEach(exercise -> numbers.add(exercise.number()));
-            for (Exercise exercise : Exercises.all()) {
-                work.program(exercise.className()).ifPresent(text -> {
-                    numbers.add(exercise.number());
-                    programs.add(new CopyCheck.Program(work.student(), exercise, text));
-                });
+            columns.addAll(work.exercises());
+            for (Exercise exercise : work.solved()) {
+                columns.add(exercise.name());
+                programs.add(new CopyCheck.Program(
+                        work.student(), exercise, work.files().getOrDefault(HandIn.file(exercise), "")));
             }
         }
         List<Mark> marks = new ArrayList<>();
         read.getAsJsonArray("marks").forEach(mark -> marks.add(mark(mark.getAsJsonObject())));
         ClassTable table = new ClassTable(
                 Exercises.all().stream()
-                        .filter(exercise -> numbers.contains(exercise.number()))
+                        .filter(exercise -> columns.contains(exercise.name()))
                         .toList(),
                 List.copyOf(students),
                 marks,

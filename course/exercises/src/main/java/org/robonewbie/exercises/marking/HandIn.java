@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
 import org.robonewbie.nao.text.FileName;
 
 /**
@@ -34,13 +36,13 @@ public record HandIn(String student, int seeds, List<String> exercises, Map<Stri
     public static final int MAX_BYTES = 1_000_000;
 
     /** Maximum number of trials. */
-    static final int MAX_SEEDS = 20;
+    private static final int MAX_SEEDS = 20;
 
     /** Advice about a submission that cannot be read. */
     static final String DAMAGED = "It is incomplete or damaged. Ask for it again.";
 
-    static final String JAVA = ".java";
-    static final String MOTIONS = "motions/";
+    private static final String JAVA = ".java";
+    private static final String MOTIONS = "motions/";
     private static final String MOTION = ".txt";
     private static final int VERSION = 1;
     private static final int MAX_ENTRIES = 200;
@@ -130,8 +132,15 @@ public record HandIn(String student, int seeds, List<String> exercises, Map<Stri
         return json.toString();
     }
 
-    /** Returns the program with a class name, if it was submitted. */
-    Optional<String> program(String className) {
-        return Optional.ofNullable(files.get(className + JAVA));
+    /** Returns the exercises for which it contains a program. */
+    List<Exercise> solved() {
+        return Exercises.all().stream()
+                .filter(exercise -> files.containsKey(file(exercise)))
+                .toList();
+    }
+
+    /** Returns the name of the file with the program for an exercise. */
+    static String file(Exercise exercise) {
+        return exercise.className() + JAVA;
     }
 }

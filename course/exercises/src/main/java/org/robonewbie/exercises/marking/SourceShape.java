@@ -30,7 +30,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             (//[^\\n]*|/\\*(?s:.*?)(?:\\*/|\\z))\
             |(\"""(?s:.*?)\"""|"(?:\\\\.|[^"\\\\\\n])*+"|'(?:\\\\.|[^'\\\\\\n])*+')\
             |(\\.?[0-9](?:[eE][-+]|[0-9a-zA-Z_.])*+)\
-            |([\\p{L}_$][\\p{L}\\p{N}_$]*)\
+            |(\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*)\
             |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
     /** Keywords that, like a class name, may precede a declared name as its type. */
