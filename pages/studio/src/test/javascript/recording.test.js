@@ -46,7 +46,7 @@ test('a recording is read like in Java, however its bytes are split', { skip }, 
       });
     });
     assert.equal(sceneOf(reader.moments[0], reader.header, models, 1).field.length, 12);
-    assert.deepEqual([...new Set(reader.events.map(({ kind }) => kind))].sort(), ['fall', 'goal', 'playmode']);
+    assert.deepEqual([...new Set(reader.events.map(({ kind }) => kind))].sort(), ['goal', 'playmode']);
     const robots = reader.moments.at(-1)?.robots ?? [];
     const columns = tableHead(robots, models).split(',').length;
     assert.equal(columns, 8 + 3 + 22);
@@ -70,7 +70,7 @@ test('a rewritten recording shows the same, without commands', { skip }, () => {
   before.moments.forEach((moment, i) =>
     writer.write(
       moment,
-      before.events.filter(({ index, kind }) => index === i && kind !== 'fall'),
+      before.events.filter(({ index }) => index === i),
     ),
   );
 

@@ -100,15 +100,9 @@ const ACTIONS = {
       exports.takeMotion?.(name, file);
     }
   },
-  scenes: (exports, scenes) => {
-    exports.forgetScenes();
-    for (const [name, bytes] of scenes) {
-      exports.takeScene(name, bytes);
-    }
-  },
   exercise: (exports, { id, request, classes }) => {
     take(exports, classes);
-    const result = exports.course(request);
+    const result = exports.answer('course', request);
     if (result.startsWith('{')) {
       announceStart(exports, '');
     }
@@ -131,7 +125,7 @@ function attempt(action) {
 
 onmessage = async ({ data }) => {
   const exports = await program.then(
-    (loaded) => loaded.exports,
+    (loaded) => Object.assign(Object.create(loaded.exports), loaded.exports.FieldEdition),
     (failure) => postMessage({ failure: String(failure) }),
   );
   attempt(() => {

@@ -65,17 +65,14 @@ async function begin(worker) {
   const motions = new MotionServer(questions);
   worker.ownMotions = () => motions.own;
   motions.changed = () => worker.postMessage({ motions: motions.own });
-  /** @type {Promise<Record<string, {hinges: unknown[]}>> | undefined} */
-  let models;
-  const bodies = () => (models ??= questions.ask('models').then(JSON.parse));
-  const recordings = new PageRecordings(new RecordingStore(), bodies);
+  const recordings = new PageRecordings(new RecordingStore(), questions);
   const scenes = new SceneServer(questions, recordings);
   answerInsteadOfServer({
     programs,
     course,
     ...motions.parts,
     ...scenes.parts,
-    ...new ReplayServer(recordings, bodies).parts,
+    ...new ReplayServer(recordings, questions).parts,
   });
   const studio = new Studio(
     options,

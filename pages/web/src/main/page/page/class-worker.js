@@ -83,7 +83,7 @@ export class ClassWorker {
         this.#look = () => {
           clearTimeout(silence);
           silence = setTimeout(() => fail(new Error('The program took too long.')), PATIENCE_MILLISECONDS);
-          this.#ask('call', { name: 'course', args: [request(LOOK)] }).then(follow, fail);
+          this.#ask('call', { name: 'answer', args: ['course', request(LOOK)] }).then(follow, fail);
         };
         this.#worker.postMessage({ motions });
         this.#ask('exercise', { request: request(start), classes }).then(follow, fail);

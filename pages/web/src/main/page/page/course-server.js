@@ -1,9 +1,9 @@
 /** Local replacement for the course server: asks the course service in the world's worker, and stores its data in this browser. */
+import { isAnswer, requestOf, responseOf } from './page-server.js';
 import { storage } from './page-storage.js';
 
 const LANGUAGE = 'robonewbie-page-language';
 const PROGRESS = 'robonewbie-page-progress';
-const ANSWER = /^["{]/;
 
 /** @typedef {Record<string, any>} States progress by name of the exercise */
 
@@ -49,37 +49,32 @@ export class CourseServer {
   }
 
   /** @param {string} place path after `course` @param {RequestInit} options @returns {Promise<Response>} */
-  async answer(place, { method = 'GET' }) {
-    const [path, search] = place.split('?');
-    const names = path.split('/').filter(Boolean).map(decodeURIComponent);
-    const parameters = Object.fromEntries(new URLSearchParams(search));
+  async answer(place, options) {
+    const asked = requestOf(place, options);
+    const { path, parameters } = asked;
     const request = JSON.stringify({
-      method,
-      path: names,
-      parameters,
+      ...asked,
       language: storage().get(LANGUAGE) ?? 'en',
       progress: this.#progress,
       programs: this.#repository.own.map((each) => each.path),
       drafts: this.#repository.drafts.map((each) => each.path),
-      solutions: names.length > 1 ? await this.#solutions(names[0]) : {},
+      solutions: path.length > 1 ? await this.#solutions(path[0]) : {},
     });
     const result = parameters.program
       ? await this.#begin(request, parameters.program)
-      : await this.#questions.ask('course', request);
+      : await this.#questions.ask('answer', 'course', request);
     this.#throwFailure();
-    if (!ANSWER.test(result)) {
-      throw new Error(result);
-    }
+    const response = responseOf(result);
     if (parameters.code) {
       storage().set(LANGUAGE, parameters.code);
     }
-    return new Response(result);
+    return response;
   }
 
   /** @param {string} request @param {string} path path of the program */
   async #begin(request, path) {
     const result = await this.#questions.begin(request, await this.#programs.compiled(path));
-    if (ANSWER.test(result)) {
+    if (isAnswer(result)) {
       this.#programs.forget();
     }
     return result;

@@ -4,19 +4,13 @@ import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
 import { pack } from './pack.js';
 
-/**
- * @typedef {import('./recording-store.js').Entry} Entry
- * @typedef {import('../replay/recording-api.js').Bookmark} Bookmark
- */
+/** @typedef {import('./recording-store.js').Entry} Entry */
 
 const MAX_BYTES = 100_000_000;
 /** About one hour with one robot. */
 const MAX_BYTES_OF_ONE = 40_000_000;
 const SAVE_MILLISECONDS = 10_000;
 const HOUR_MILLISECONDS = 3_600_000;
-const MAX_NAME_LETTERS = 80;
-const MAX_NOTE_LETTERS = 300;
-const MAX_BOOKMARKS = 500;
 const MAX_OPEN = 3;
 
 export class PageRecordings {
@@ -27,16 +21,18 @@ export class PageRecordings {
   /** @type {{entry: Entry, content: OpenRecording, savedBytes: number, savedNotes: number} | undefined} */
   #running;
   #work;
+  /** Stores the last change of the replay service. @type {Promise<void>} */
+  #change = Promise.resolve();
   /** Name of the agent in the next world. */
   agent = '';
 
   /**
    * @param {import('./recording-store.js').RecordingStore} store
-   * @param {() => Promise<Record<string, {hinges: unknown[]}>>} models loads the models of all robot types
+   * @param {import('./world-questions.js').WorldQuestions} questions
    */
-  constructor(store, models) {
+  constructor(store, questions) {
     this.store = store;
-    this.models = models;
+    this.questions = questions;
     this.#work = store.entries().then((entries) => this.#begin(entries));
     setInterval(() => this.#save(), SAVE_MILLISECONDS);
     document.addEventListener('visibilitychange', () => document.hidden && this.#save(true));
@@ -78,15 +74,10 @@ export class PageRecordings {
 
   async #create() {
     const entry = this.#fresh(dateName(new Date()), this.agent);
-    const content = await this.#empty();
+    const content = new OpenRecording();
     this.#keepOpen(entry.id, Promise.resolve(content));
     await this.#makeRoom();
     return { entry, content, savedBytes: 0, savedNotes: 0 };
-  }
-
-  async #empty() {
-    const models = await this.models();
-    return new OpenRecording((type) => models[type].hinges.length);
   }
 
   /** @param {string} name @param {string} agent */
@@ -157,18 +148,41 @@ export class PageRecordings {
     this.#work = this.#work.then(work).catch(() => {});
   }
 
-  /** @returns {Promise<import('../replay/recording-api.js').RecordingEntry[]>} newest first */
-  async list() {
+  /**
+   * Asks the replay service.
+   *
+   * @param {import('./page-server.js').ServiceRequest} request
+   * @returns {Promise<string>} JSON, or why the request was refused
+   */
+  async answer(request) {
     await this.#work;
-    return [...this.#entries.values()]
-      .filter(({ removedAt }) => removedAt === 0)
+    const [kind, ...names] = request.path;
+    if (kind === 'cards' || kind === 'index') {
+      await this.#passBytes(names.join('/'));
+    }
+    const recordings = [...this.#entries.values()]
       .reverse()
-      .map((entry) => ({ ...entry, running: this.#isRunning(entry), ofProject: true }));
+      .map((entry) => ({ ...entry, running: entry === this.#running?.entry }));
+    const result = await this.questions.ask('answer', 'recordings', JSON.stringify({ ...request, recordings }));
+    await this.#change;
+    return result;
   }
 
-  /** @param {Entry} entry */
-  #isRunning(entry) {
-    return entry === this.#running?.entry;
+  /** Passes the bytes of a recording that the replay service has not read yet. @param {string} name */
+  async #passBytes(name) {
+    const content = await this.open(name);
+    const id = String(this.#find(name).id);
+    do {
+      const bytes = new Int8Array(content.slice(content.read).buffer);
+      content.read = await this.questions.ask('readRecording', id, content.read, bytes);
+    } while (content.read < content.length);
+  }
+
+  /** Stores a change of the replay service. @param {string} text id of the recording and changed metadata, a JSON object */
+  keep(text) {
+    const { id, ...change } = JSON.parse(text);
+    const entry = this.#entries.get(id);
+    this.#change = entry ? this.store.put(Object.assign(entry, change)) : this.#change;
   }
 
   /** @param {string} name */
@@ -180,20 +194,18 @@ export class PageRecordings {
     return entry;
   }
 
-  /** @param {string} name @returns {Promise<OpenRecording>} the recording with everything recorded so far */
+  /** @param {string} name @returns {Promise<OpenRecording>} the recording */
   async open(name) {
     await this.#work;
     const { id } = this.#find(name);
     const opened = this.#open.get(id) ?? this.#load(id);
     this.#keepOpen(id, opened);
-    const content = await opened;
-    content.readOn();
-    return content;
+    return opened;
   }
 
   /** @param {number} id */
   async #load(id) {
-    const content = await this.#empty();
+    const content = new OpenRecording();
     for (const { bytes, isPacked, notes } of await this.store.pieces(id)) {
       await (isPacked ? unpack([bytes], (part) => content.push(part)) : content.push(bytes));
       content.notes += notes;
@@ -226,71 +238,21 @@ export class PageRecordings {
    * @throws {Error} if it is not a recording; the message is meant for the user
    */
   async take(name, packed) {
-    const content = await this.#empty();
+    const content = new OpenRecording();
     await unpack([packed], (bytes) => content.push(bytes));
-    content.readOn();
-    if (content.reader.moments.length === 0) {
-      throw new Error(`“${name}” is not a RoboNewbie recording, or it is damaged.`);
-    }
     await this.#work;
     const entry = this.#fresh(name.replace(/\.rec$/, ''), '');
-    const piece = { bytes: packed, isPacked: true, notes: '' };
-    await this.#add(entry, piece).catch((full) => (this.#entries.delete(entry.id), Promise.reject(full)));
+    this.#keepOpen(entry.id, Promise.resolve(content));
+    try {
+      const card = await this.answer({ method: 'GET', path: ['cards', entry.name], parameters: {} });
+      if (JSON.parse(card).count === 0) {
+        throw new Error(`“${name}” is not a RoboNewbie recording, or it is damaged.`);
+      }
+      await this.#add(entry, { bytes: packed, isPacked: true, notes: '' });
+    } catch (failure) {
+      this.#entries.delete(entry.id);
+      throw failure;
+    }
     return entry.name;
-  }
-
-  /** @param {string} name @param {Partial<Entry>} change */
-  async #change(name, change) {
-    await this.#work;
-    const entry = Object.assign(this.#find(name), change);
-    await this.store.put(entry);
-  }
-
-  /** @param {string} from @param {string} wanted */
-  async rename(from, wanted) {
-    this.#refuseRunning(from);
-    const to = wanted.trim().slice(0, MAX_NAME_LETTERS);
-    if (to !== from && [...this.#entries.values()].some(({ name }) => name === to)) {
-      throw new Error(`There is already a recording named “${to}”. Choose another name.`);
-    }
-    await this.#change(from, { name: to });
-  }
-
-  /** @param {string} name */
-  async remove(name) {
-    this.#refuseRunning(name);
-    await this.#change(name, { removedAt: Date.now() });
-  }
-
-  /** @param {string} name */
-  #refuseRunning(name) {
-    if (this.#running?.entry.name === name) {
-      throw new Error(`“${name}” is still being recorded. Reset the run in the Field room first.`);
-    }
-  }
-
-  /** @param {string} name */
-  bringBack(name) {
-    return this.#change(name, { removedAt: 0 });
-  }
-
-  /** @param {string} name @param {boolean} starred */
-  star(name, starred) {
-    return this.#change(name, { starred });
-  }
-
-  /** @param {string} name @param {Bookmark} bookmark replaces an existing one at the same time */
-  async addBookmark(name, { seconds, note }) {
-    const others = this.#find(name).bookmarks.filter((each) => each.seconds !== seconds);
-    if (others.length >= MAX_BOOKMARKS) {
-      throw new Error(`A recording can have at most ${MAX_BOOKMARKS} bookmarks. Delete one that you no longer need.`);
-    }
-    const bookmarks = [...others, { seconds, note: note.slice(0, MAX_NOTE_LETTERS) }];
-    await this.#change(name, { bookmarks: bookmarks.sort((one, other) => one.seconds - other.seconds) });
-  }
-
-  /** @param {string} name @param {number} seconds */
-  async removeBookmark(name, seconds) {
-    await this.#change(name, { bookmarks: this.#find(name).bookmarks.filter((each) => each.seconds !== seconds) });
   }
 }

@@ -15,6 +15,32 @@ export function answerInsteadOfServer(parts) {
 }
 
 /**
+ * @typedef {{method: string, path: string[], parameters: Record<string, string>}} ServiceRequest request to a service of the program
+ * @param {string} place
+ * @param {RequestInit} options
+ * @returns {ServiceRequest}
+ */
+export function requestOf(place, { method = 'GET' }) {
+  const [path, search] = place.split('?');
+  return {
+    method,
+    path: path.split('/').filter(Boolean).map(decodeURIComponent),
+    parameters: Object.fromEntries(new URLSearchParams(search)),
+  };
+}
+
+/** @param {string} result JSON, or why a service refused the request */
+export const isAnswer = (result) => /^["{]/.test(result);
+
+/** @param {string} result JSON, or why a service refused the request @returns {Response} */
+export function responseOf(result) {
+  if (!isAnswer(result)) {
+    throw new Error(result);
+  }
+  return new Response(result);
+}
+
+/**
  * @param {string} place
  * @param {RequestInit} options
  * @param {Record<string, Part>} parts

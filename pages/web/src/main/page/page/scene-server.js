@@ -2,7 +2,8 @@
  * Local replacement for the scene server and the button *Start here*. The program in the worker reads and writes scenes; this browser
  * stores them.
  */
-import { asBytes, asText, BrowserRepository } from './browser-repository.js';
+import { BrowserRepository } from './browser-repository.js';
+import { requestOf, responseOf } from './page-server.js';
 
 const NO_ROOM = 'This browser has no space left for another scene. Delete one first.';
 
@@ -19,59 +20,50 @@ export class SceneServer {
     this.recordings = recordings;
   }
 
-  /** Request handlers by the first segment of their path. */
+  /** Request handlers by the first segment of their path. @returns {Record<string, import('./page-server.js').Part>} */
   get parts() {
     return {
-      scenes: {
-        answer: (/** @type {string} */ place, /** @type {RequestInit} */ options) => this.#answer(place, options),
-      },
-      start: { answer: (/** @type {string} */ place) => this.#start(place) },
+      scenes: { answer: (place, options) => this.#answer(requestOf(place, options)) },
+      start: { answer: (place, options) => this.#start(requestOf(place, options)) },
     };
   }
 
   /**
-   * Stores a scene written by the program.
+   * Stores a change of the scene service.
    *
-   * @param {{name: string, bytes?: Int8Array}} scene scene to store; without bytes it is removed
+   * @param {string} change name and text of a scene, a JSON object; without a text, the scene is removed
    */
-  keep({ name, bytes }) {
-    if (!bytes) {
+  keep(change) {
+    const { name, text } = JSON.parse(change);
+    if (text === undefined) {
       this.#repository.remove(name);
       return;
     }
     try {
-      this.#repository.write(name, asText(new Uint8Array(bytes)));
+      this.#repository.write(name, text);
     } catch {
       this.#isFull = true;
     }
   }
 
-  /** @param {string} place @param {RequestInit} options */
-  async #answer(place, { method = 'GET' }) {
-    const [path, search] = place.split('?');
-    const old = new URLSearchParams(search).get('was') ?? '';
-    this.questions.world.postMessage({ scenes: this.#own });
-    const result = await this.questions.ask('scenes', method, decodeURIComponent(path.slice(1)), old);
+  /** @param {import('./page-server.js').ServiceRequest} request */
+  async #answer(request) {
+    const needed = [...request.path, request.parameters.was];
+    const scenes = Object.fromEntries(
+      this.#repository.list.map(({ path }) => [path, (needed.includes(path) && this.#repository.read(path)) || '']),
+    );
+    const result = await this.questions.ask('answer', 'scenes', JSON.stringify({ ...request, scenes }));
     if (this.#isFull) {
       this.#isFull = false;
       throw new Error(NO_ROOM);
     }
-    return answer(result);
+    return responseOf(result);
   }
 
-  /** @param {string} place */
-  async #start(place) {
-    const [path, search] = place.split('?');
-    const recording = await this.recordings.open(path.split('/').slice(1).map(decodeURIComponent).join('/'));
-    const moment = Number(new URLSearchParams(search).get('moment'));
-    return answer(await this.questions.ask('startFrom', new Int8Array(recording.slice().buffer), moment));
-  }
-
-  /** @returns {[string, Int8Array][]} name and bytes of each scene */
-  get #own() {
-    return this.#repository.list.map(({ path }) => [path, new Int8Array(asBytes(this.#repository.read(path) ?? '').buffer)]);
+  /** @param {import('./page-server.js').ServiceRequest} request */
+  async #start({ path, parameters }) {
+    const recording = await this.recordings.open(path.join('/'));
+    const bytes = new Int8Array(recording.slice().buffer);
+    return responseOf(await this.questions.ask('startFrom', bytes, Number(parameters.moment)));
   }
 }
-
-/** @param {string} result a JSON object, or an error message */
-const answer = (result) => new Response(result, { status: result.startsWith('{') ? 200 : 409 });

@@ -58,6 +58,8 @@ export class WorldConnection {
       this.listener.frameArrived(data);
     } else if ('recorded' in data) {
       this.recordings.receive(data.recorded, data.first);
+    } else if ('recording' in data) {
+      this.recordings.keep(data.recording);
     } else if ('noted' in data) {
       this.recordings.note(data.noted);
     } else if ('begun' in data) {

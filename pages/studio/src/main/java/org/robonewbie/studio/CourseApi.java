@@ -1,8 +1,6 @@
 package org.robonewbie.studio;
 
 import java.io.IOException;
-import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import org.eclipse.jetty.server.Request;
 import org.robonewbie.studio.file.Answer;
@@ -33,20 +31,16 @@ final class CourseApi extends ApiHandler {
         }
         return Optional.of(Answer.json(
                 course.isPresent()
-                        ? answer(course.get(), request, path.substring(COURSE.length()))
+                        ? course.get()
+                                .answer(
+                                        request.getMethod(),
+                                        PathPart.decodeAll(path.substring(COURSE.length())),
+                                        name -> parameter(request, name))
                         : "{\"lessons\":[]}"));
     }
 
     @Override
     protected String explain(IOException problem) {
         return "The request failed: " + problem.getMessage();
-    }
-
-    private static String answer(PageService course, Request request, String path) throws IOException {
-        List<String> names = Arrays.stream(path.split("/", -1))
-                .filter(name -> !name.isEmpty())
-                .map(PathPart::decode)
-                .toList();
-        return course.answer(request.getMethod(), names, name -> parameter(request, name));
     }
 }

@@ -17,6 +17,8 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.studio.replay.NoteLines;
+import org.robonewbie.studio.scene.SceneService;
+import org.robonewbie.studio.scene.SceneStore;
 
 /**
  * Live feed for a single page that runs the world in its own worker. It sends the same messages as {@link LiveFeed},
@@ -106,6 +108,16 @@ public final class PageFeed implements TelemetrySink {
 
     SteppedContext context() {
         return context;
+    }
+
+    /**
+     * Returns the service for scenes of the displayed world.
+     *
+     * @param store the saved scenes
+     * @return the service
+     */
+    public SceneService scenes(SceneStore store) {
+        return new SceneService(store, "this browser", context.undoManager(), context.undoManager()::done);
     }
 
     /** {@return the trial that runs in this world; empty for free play} */

@@ -1,8 +1,8 @@
 package org.robonewbie.studio;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
@@ -13,6 +13,7 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.simulator.TrialLabel;
+import org.robonewbie.simulator.json.Json;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link SceneDescription} as JSON, including the bodies of all its robot types. */
@@ -28,112 +29,77 @@ final class SceneDescriptionWriter {
      * @return one JSON object
      */
     static String write(SceneDescription scene, int revision) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "scene");
-        json.addProperty("revision", revision);
-        json.add("field", field(scene.field()));
-        json.addProperty("clock", scene.clock());
+        JsonObject json = Json.object(
+                "kind", "scene", "revision", revision, "field", field(scene.field()), "clock", scene.clock());
         scene.agentPort().ifPresent(port -> json.addProperty("agentPort", port));
         json.addProperty("puppets", scene.puppets());
         scene.trial().ifPresent(trial -> json.add("trial", trial(trial)));
-        JsonObject teams = new JsonObject();
-        teams.addProperty("left", scene.teamLeft());
-        teams.addProperty("right", scene.teamRight());
-        json.add("teams", teams);
-        JsonArray robots = new JsonArray();
+        json.add("teams", Json.object("left", scene.teamLeft(), "right", scene.teamRight()));
         JsonObject models = new JsonObject();
-        for (SceneDescription.Player player : scene.robots()) {
-            robots.add(player(player));
-            if (!models.has(player.type().name())) {
-                models.add(player.type().name(), model(NaoModel.of(player.type())));
-            }
-        }
-        json.add("robots", robots);
-        JsonArray things = new JsonArray();
-        scene.things().forEach(thing -> things.add(thing(thing)));
-        json.add("things", things);
+        scene.robots().stream()
+                .map(SceneDescription.Player::type)
+                .distinct()
+                .forEach(type -> models.add(type.name(), model(NaoModel.of(type))));
+        json.add("robots", Json.array(scene.robots().stream().map(SceneDescriptionWriter::player)));
+        json.add("things", Json.array(scene.things().stream().map(SceneDescriptionWriter::thing)));
         json.add("models", models);
-        JsonArray playModes = new JsonArray();
-        Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).forEach(playModes::add);
-        json.add("playModes", playModes);
+        json.add("playModes", Json.array(Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName)));
         return json.toString();
     }
 
     private static JsonObject field(SoccerField field) {
-        JsonObject json = new JsonObject();
-        json.addProperty("length", field.length());
-        json.addProperty("width", field.width());
-        json.addProperty("goalWidth", field.goalWidth());
-        json.addProperty("goalDepth", field.goalDepth());
-        json.addProperty("goalHeight", field.goalHeight());
-        json.addProperty("penaltyLength", field.penaltyLength());
-        json.addProperty("penaltyWidth", field.penaltyWidth());
-        json.addProperty("centreCircleRadius", field.centreCircleRadius());
-        return json;
+        return Json.object(
+                "length", field.length(),
+                "width", field.width(),
+                "goalWidth", field.goalWidth(),
+                "goalDepth", field.goalDepth(),
+                "goalHeight", field.goalHeight(),
+                "penaltyLength", field.penaltyLength(),
+                "penaltyWidth", field.penaltyWidth(),
+                "centreCircleRadius", field.centreCircleRadius());
     }
 
     private static JsonObject trial(TrialLabel trial) {
-        JsonObject json = new JsonObject();
-        json.addProperty("task", trial.task());
-        json.addProperty("attempt", trial.attempt());
-        json.addProperty("seed", trial.seed());
-        return json;
+        return Json.object("task", trial.task(), "attempt", trial.attempt(), "seed", trial.seed());
     }
 
     private static JsonObject player(SceneDescription.Player player) {
-        JsonObject json = new JsonObject();
-        json.addProperty("id", player.id());
-        json.addProperty("team", player.team());
-        json.addProperty(
+        return Json.object(
+                "id", player.id(),
+                "team", player.team(),
                 "side",
-                player.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
-        json.addProperty("number", player.number());
-        json.addProperty("type", player.type().name());
-        json.addProperty("puppet", player.puppet());
-        return json;
+                        player.side()
+                                .map(side -> side.name().toLowerCase(Locale.ROOT))
+                                .orElse(""),
+                "number", player.number(),
+                "type", player.type().name(),
+                "puppet", player.puppet());
     }
 
     private static JsonObject thing(SceneDescription.Standing thing) {
-        JsonObject json = new JsonObject();
-        json.addProperty("name", thing.name());
-        json.add("size", vector(thing.size()));
-        json.addProperty("movable", thing.movable());
-        return json;
+        return Json.object("name", thing.name(), "size", vector(thing.size()), "movable", thing.movable());
     }
 
     static String event(MatchEvent event) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "event");
-        json.addProperty("text", event.text());
-        return json.toString();
+        return Json.object("kind", "event", "text", event.text()).toString();
     }
 
     /** Writes a warning or error from a robot's program. */
     static String diagnostic(String team, int number, TelemetryItem.LogEntry line) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "mistake");
-        json.addProperty("team", team);
-        json.addProperty("number", number);
-        json.addProperty("level", line.level());
-        json.addProperty("text", line.text());
-        return json.toString();
+        return Json.object(
+                        "kind", "mistake", "team", team, "number", number, "level", line.level(), "text", line.text())
+                .toString();
     }
 
     /** Writes the names of the commands that would be undone and redone next. */
     static String undoManager(UndoManager.Names names) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "undo");
-        json.addProperty("undo", names.undo());
-        json.addProperty("redo", names.redo());
-        return json.toString();
+        return Json.object("kind", "undo", "undo", names.undo(), "redo", names.redo())
+                .toString();
     }
 
     /** Writes a message from the simulator to the user. */
     static String notice(String sentence) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "told");
-        json.addProperty("text", sentence);
-        return json.toString();
+        return Json.object("kind", "told", "text", sentence).toString();
     }
 
     /** Writes the bodies of all robot types by name. */
@@ -147,43 +113,32 @@ final class SceneDescriptionWriter {
 
     /** Writes the links and hinges of a robot's body. */
     static JsonObject model(NaoModel model) {
-        JsonArray links = new JsonArray();
-        model.links().forEach(link -> links.add(link(link)));
-        JsonArray hinges = new JsonArray();
-        model.hinges().forEach(hinge -> hinges.add(hinge(hinge, model)));
-        JsonObject json = new JsonObject();
-        json.add("links", links);
-        json.add("hinges", hinges);
-        return json;
+        return Json.object(
+                "links", Json.array(model.links().stream().map(SceneDescriptionWriter::link)),
+                "hinges", Json.array(model.hinges().stream().map(hinge -> hinge(hinge, model))));
     }
 
     private static JsonObject link(Link link) {
-        JsonObject json = new JsonObject();
-        json.addProperty("name", link.name());
-        json.add("position", vector(link.position()));
-        json.add("size", vector(link.shape().size()));
-        return json;
+        return Json.object(
+                "name", link.name(),
+                "position", vector(link.position()),
+                "size", vector(link.shape().size()));
     }
 
     private static JsonObject hinge(Hinge hinge, NaoModel model) {
-        JsonObject json = new JsonObject();
-        json.addProperty("joint", hinge.jointName());
-        json.addProperty("child", model.linkIndex(hinge.child()));
-        json.addProperty("parent", model.linkIndex(hinge.parent()));
-        json.add("anchor", vector(hinge.anchor()));
-        json.add("axis", vector(hinge.axis()));
-        json.addProperty("minDegrees", hinge.minDegrees());
-        json.addProperty("maxDegrees", hinge.maxDegrees());
-        json.addProperty("effector", hinge.effectorName());
-        json.addProperty("maxSpeed", Math.toDegrees(hinge.maxRadiansPerSecond()));
-        return json;
+        return Json.object(
+                "joint", hinge.jointName(),
+                "child", model.linkIndex(hinge.child()),
+                "parent", model.linkIndex(hinge.parent()),
+                "anchor", vector(hinge.anchor()),
+                "axis", vector(hinge.axis()),
+                "minDegrees", hinge.minDegrees(),
+                "maxDegrees", hinge.maxDegrees(),
+                "effector", hinge.effectorName(),
+                "maxSpeed", Math.toDegrees(hinge.maxRadiansPerSecond()));
     }
 
-    private static JsonArray vector(Vector3 vector) {
-        JsonArray json = new JsonArray();
-        json.add(vector.x());
-        json.add(vector.y());
-        json.add(vector.z());
-        return json;
+    private static List<Double> vector(Vector3 vector) {
+        return List.of(vector.x(), vector.y(), vector.z());
     }
 }

@@ -1,6 +1,5 @@
 package org.robonewbie.studio;
 
-import com.google.gson.JsonObject;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -13,6 +12,7 @@ import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.simulator.json.Json;
 import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
@@ -65,10 +65,8 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     }
 
     private void refuse(RuntimeException reason) {
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "refused");
-        json.addProperty("text", String.valueOf(reason.getMessage()));
-        getSession().sendText(json.toString(), Callback.NOOP);
+        String text = String.valueOf(reason.getMessage());
+        getSession().sendText(Json.object("kind", "refused", "text", text).toString(), Callback.NOOP);
     }
 
     /**

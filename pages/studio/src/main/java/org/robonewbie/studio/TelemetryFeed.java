@@ -1,16 +1,17 @@
 package org.robonewbie.studio;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * Telemetry buffer of one page: all items and agent messages of the watched robot, and the latest drawing from every
@@ -79,39 +80,19 @@ final class TelemetryFeed {
         if (items.isEmpty() && talk.isEmpty() && pictures.isEmpty()) {
             return Optional.empty();
         }
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "telemetry");
-        json.addProperty("robot", watched);
-        json.add("lines", lines());
-        json.add("drawings", drawings());
-        json.add("messages", exchanged());
+        JsonObject json = Json.object(
+                "kind", "telemetry",
+                "robot", watched,
+                "lines", items,
+                "drawings", Json.array(pictures.values().stream().map(TelemetryLine::write)),
+                "messages", Json.array(talk.stream().map(TelemetryFeed::exchanged)));
+        items.clear();
+        pictures.clear();
+        talk.clear();
         return Optional.of(json.toString());
     }
 
-    private JsonArray lines() {
-        JsonArray lines = new JsonArray();
-        items.forEach(lines::add);
-        items.clear();
-        return lines;
-    }
-
-    private JsonArray drawings() {
-        JsonArray drawings = new JsonArray();
-        pictures.values().forEach(picture -> drawings.add(TelemetryLine.write(picture)));
-        pictures.clear();
-        return drawings;
-    }
-
-    private JsonArray exchanged() {
-        JsonArray exchanged = new JsonArray();
-        for (AgentMessages messages : talk) {
-            JsonArray one = new JsonArray();
-            one.add(messages.cycle());
-            one.add(messages.perceptors());
-            one.add(messages.effectors());
-            exchanged.add(one);
-        }
-        talk.clear();
-        return exchanged;
+    private static List<Object> exchanged(AgentMessages messages) {
+        return List.of(messages.cycle(), messages.perceptors(), messages.effectors());
     }
 }

@@ -160,15 +160,4 @@ class RecordingShelfPageTest {
         browser.await("studio.replay.state.playing && studio.replay.state.index < 100");
         assertThat(browser.complaints()).isEmpty();
     }
-
-    @Test
-    void usedNameIsRefusedWithAMessage() throws IOException {
-        browser.await("document.querySelector('#recordings [data-recording=mine]')");
-
-        browser.evaluate("import('./replay/recording-api.js').then(({ renameRecording }) =>"
-                + " renameRecording('game', 'mine')).catch((error) => studio.note(error.message))");
-
-        browser.await("document.querySelector('#toast').textContent"
-                + " === 'There is already a recording named \"mine\". Choose another name.'");
-    }
 }

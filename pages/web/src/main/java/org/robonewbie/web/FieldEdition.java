@@ -5,16 +5,22 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while no user program runs: they run shipped agents and try motions. Each exported method becomes
- * a function of the WebAssembly module, which is half as large as that of {@link WebEdition}.
+ * Functions that the page's scripts call: they run shipped agents, try motions and answer requests. Each exported method becomes a function
+ * of the WebAssembly module; that of {@link WebEdition} contains them as static methods of this class.
  */
 public final class FieldEdition {
 
-    private static final PageCourse COURSE = new PageCourse((exercise, id, trials, judged) -> {
-        throw new IllegalArgumentException("The page must start attempts in the other program.");
-    });
-
     private FieldEdition() {}
+
+    /**
+     * Adds students' programs.
+     *
+     * @param left called before another world is shown
+     * @param starter starts attempts
+     */
+    static void addPrograms(Runnable left, PageCourse.Starter starter) {
+        PageContext.addPrograms(left, starter);
+    }
 
     /**
      * Does nothing; the page calls the exported functions.
@@ -70,45 +76,29 @@ public final class FieldEdition {
         return PageMotions.models();
     }
 
-    /** Clears the scenes in memory before the page passes them again. */
-    @JSExport
-    public static void forgetScenes() {
-        PageContext.scenes().clear();
-    }
-
     /**
-     * Loads a scene from the browser's storage.
+     * Answers a request to a service.
      *
-     * @param name name of the scene
-     * @param bytes the scene
-     */
-    @JSExport
-    public static void takeScene(String name, Int8Array bytes) {
-        PageContext.scenes().take(name, bytes.copyToJavaArray());
-    }
-
-    /**
-     * Saves, renames, deletes, restores or lists scenes.
-     *
-     * @param method PUT, DELETE, POST, or GET for the list
-     * @param name the scene
-     * @param old previous name of a scene that is being renamed; otherwise empty
-     * @return one JSON object, or a sentence if the request is refused
-     */
-    @JSExport
-    public static String scenes(String method, String name, String old) {
-        return PageContext.scenes(method, name, old);
-    }
-
-    /**
-     * Answers a request to the course service.
-     *
+     * @param service {@code course}, {@code scenes} or {@code recordings}
      * @param request one JSON object with the request and what the browser has stored
      * @return JSON, or a sentence if the request is refused
      */
     @JSExport
-    public static String course(String request) {
-        return COURSE.answer(request);
+    public static String answer(String service, String request) {
+        return PageContext.answer(service, request);
+    }
+
+    /**
+     * Reads the next bytes of a recording that the browser has stored.
+     *
+     * @param id identifier of the recording
+     * @param from offset of the bytes in the uncompressed recording
+     * @param bytes the bytes; ignored if others must be read first
+     * @return offset of the bytes to be read next
+     */
+    @JSExport
+    public static int readRecording(String id, int from, Int8Array bytes) {
+        return PageContext.recordings().read(id, from, bytes.copyToJavaArray());
     }
 
     /**

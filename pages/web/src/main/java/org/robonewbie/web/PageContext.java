@@ -1,19 +1,20 @@
 package org.robonewbie.web;
 
+import java.io.ByteArrayInputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.DoubleConsumer;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
 import org.robonewbie.studio.PageMotions;
-import org.robonewbie.studio.PageScenes;
 import org.robonewbie.studio.file.RefusedException;
-import org.robonewbie.studio.scene.SceneRepository;
+import org.robonewbie.studio.scene.SceneService;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -23,15 +24,32 @@ final class PageContext {
     /** The page that owns this worker. */
     static final PageFeed.Page PAGE = new Page();
 
-    private static final PageScenes SCENES = new PageScenes(new Browser());
+    private static final PageScenes SCENES = new PageScenes();
+    private static final PageRecordings STORED = new PageRecordings();
+    private static final String NOT_STARTED = "The simulation has not started yet.";
 
     /** Recordings to send. The last one belongs to the displayed world; earlier ones have not been sent completely. */
     private static final Deque<PageRecording> RECORDINGS = new ArrayDeque<>();
 
+    private static final PageCourse COURSE = new PageCourse();
+
+    private static Runnable leave = () -> {};
     private static @Nullable PacedWorld world;
+    private static DoubleConsumer turn = seconds -> {};
     private static Optional<FreePitch> pitch = Optional.empty();
 
     private PageContext() {}
+
+    /**
+     * Adds students' programs.
+     *
+     * @param left called before another world is shown
+     * @param started starts attempts
+     */
+    static void addPrograms(Runnable left, PageCourse.Starter started) {
+        leave = left;
+        COURSE.startWith(started);
+    }
 
     /** Shows shipped agents, given as class names separated by spaces. */
     static void begin(String agents, int seed) {
@@ -40,11 +58,15 @@ final class PageContext {
 
     /** Shows a world with a first participant and then shipped agents, given as class names separated by spaces. */
     static void begin(String agents, int seed, Consumer<FreePitch> first) {
-        world = new PacedWorld(PAGE, feed -> {
+        leave.run();
+        COURSE.close();
+        PacedWorld shown = new PacedWorld(PAGE, feed -> {
             FreePitch started = new FreePitch(seed, feed, record());
             pitch = Optional.of(started);
             return started;
         });
+        world = shown;
+        turn = shown::turn;
         pitch.ifPresent(first);
         named(agents).forEach(PageContext::join);
     }
@@ -79,8 +101,9 @@ final class PageContext {
     }
 
     /** Shows the trials of an exercise. */
-    static void show(PacedWorld trials) {
-        world = trials;
+    static void show(ExerciseAttempt attempt) {
+        world = attempt.world();
+        turn = attempt::turn;
         pitch = Optional.empty();
     }
 
@@ -93,10 +116,8 @@ final class PageContext {
 
     /** Advances the displayed world; {@code seconds} is the time since the last call. */
     static void turn(double seconds) {
-        if (world != null) {
-            world.turn(seconds);
-            sendRecordings();
-        }
+        turn.accept(seconds);
+        sendRecordings();
     }
 
     /** Plays a motion on a robot with full physics; returns the result as JSON, or a sentence if the motion is refused. */
@@ -108,49 +129,33 @@ final class PageContext {
         }
     }
 
-    /** Returns the scenes, which the browser passes before each request. */
-    static SceneRepository scenes() {
-        return SCENES.repository();
+    /** Answers a request to a service; returns JSON, or a sentence if it is refused. */
+    static String answer(String service, String text) {
+        ServiceRequest request = ServiceRequest.parse(text);
+        return switch (service) {
+            case "course" -> COURSE.answer(request);
+            case "recordings" -> STORED.answer(request);
+            default -> world == null ? NOT_STARTED : SCENES.answer(request, world.feed());
+        };
     }
 
-    /** Saves, renames, deletes, restores or lists scenes; returns a JSON object, or a sentence if the request is refused. */
-    static String scenes(String method, String name, String old) {
-        return answer(feed -> SCENES.answer(feed, method, name, old));
+    /** Returns the recordings that the browser has stored. */
+    static PageRecordings recordings() {
+        return STORED;
     }
 
     /** Continues the simulation from a cycle of a recording; returns a JSON object, or a sentence if the request is refused. */
     static String startFrom(byte[] recorded, int moment) {
-        return answer(feed -> SCENES.start(feed, recorded, moment));
+        PacedWorld shown = world;
+        return shown == null
+                ? NOT_STARTED
+                : ServiceRequest.attempt(() -> shown.feed()
+                        .scenes(SCENES)
+                        .start(
+                                RecordingReader.ofUnpacked(new ByteArrayInputStream(recorded), "This"),
+                                moment,
+                                SceneService.ENDS_BEFORE));
     }
-
-    private static String answer(Function<PageFeed, String> request) {
-        try {
-            return world == null ? "The simulation has not started yet." : request.apply(world.feed());
-        } catch (RefusedException refused) {
-            return String.valueOf(refused.getMessage());
-        }
-    }
-
-    private static final class Browser implements SceneRepository.Keeper {
-
-        @Override
-        public void keep(String name, byte[] scene) {
-            keepScene(name, Int8Array.copyFromJavaArray(scene));
-        }
-
-        @Override
-        public void forget(String name) {
-            forgetScene(name);
-        }
-    }
-
-    @JSBody(
-            params = {"name", "bytes"},
-            script = "self.postMessage({ scene: { name: name, bytes: bytes } });")
-    private static native void keepScene(String name, Int8Array bytes);
-
-    @JSBody(params = "name", script = "self.postMessage({ scene: { name: name } });")
-    private static native void forgetScene(String name);
 
     private static final class Page implements PageFeed.Page {
 
@@ -167,7 +172,7 @@ final class PageContext {
         @Override
         public void keep(String note) {
             sendRecordings();
-            postNote(note);
+            post("noted", note);
         }
     }
 
@@ -180,8 +185,11 @@ final class PageContext {
             script = "self.postMessage({recorded: new Uint8Array(bytes.buffer), first: first}, [bytes.buffer]);")
     private static native void postRecorded(Int8Array bytes, boolean first);
 
-    @JSBody(params = "note", script = "self.postMessage({noted: note});")
-    private static native void postNote(String note);
+    /** Sends a change to the page, which stores it. */
+    @JSBody(
+            params = {"name", "text"},
+            script = "var message = {}; message[name] = text; self.postMessage(message);")
+    static native void post(String name, String text);
 
     @JSBody(params = "json", script = "self.postMessage(json);")
     private static native void post(String json);

@@ -2,14 +2,11 @@ package org.robonewbie.web;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
-import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import java.util.stream.StreamSupport;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.progress.ExerciseProgress;
@@ -19,7 +16,7 @@ import org.robonewbie.exercises.progress.ProgressStore;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.exercises.service.CourseHost;
 import org.robonewbie.exercises.service.CourseService;
-import org.teavm.jso.JSBody;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * Exercises in the page. Each request contains what the browser has stored: language, progress, names of programs, and the requested
@@ -27,9 +24,11 @@ import org.teavm.jso.JSBody;
  */
 final class PageCourse implements CourseHost, ProgressStore {
 
-    private final Starter starter;
     private final CourseService service;
-    private JsonObject request = new JsonObject();
+    private Starter starter = (exercise, id, trials, judged) -> {
+        throw new IllegalArgumentException("The page must start attempts in the other program.");
+    };
+    private ServiceRequest request = new ServiceRequest(new JsonObject());
     private Progress progress = new Progress(Map.of());
 
     /** Starts attempts. */
@@ -40,25 +39,23 @@ final class PageCourse implements CourseHost, ProgressStore {
         Attempt begin(Exercise exercise, long id, int trials, Consumer<Grade> judged);
     }
 
-    PageCourse(Starter starter) {
-        this.starter = starter;
+    PageCourse() {
         service = new CourseService(new ProgressService(this, new SolutionRepository(this::solution)), this, "");
     }
 
+    void startWith(Starter programs) {
+        starter = programs;
+    }
+
     /** Answers a request; returns JSON, or a sentence if the request is refused. */
-    String answer(String text) {
-        request = JsonParser.parseString(text).getAsJsonObject();
-        progress = Progress.parse(request.get("progress").toString()).orElse(progress);
-        JsonObject parameters = request.getAsJsonObject("parameters");
-        try {
-            service.setLanguage(request.get("language").getAsString());
-            return service.answer(
-                    request.get("method").getAsString(),
-                    texts("path"),
-                    name -> parameters.has(name) ? parameters.get(name).getAsString() : "");
-        } catch (IllegalArgumentException | IOException refused) {
-            return String.valueOf(refused.getMessage());
-        }
+    String answer(ServiceRequest asked) {
+        request = asked;
+        JsonObject json = request.json();
+        progress = Progress.parse(json.get("progress").toString()).orElse(progress);
+        return request.answer((method, path, parameters) -> {
+            service.setLanguage(json.get("language").getAsString());
+            return service.answer(method, path, parameters);
+        });
     }
 
     /** Ends the current attempt, because another program has taken over the world. */
@@ -66,14 +63,8 @@ final class PageCourse implements CourseHost, ProgressStore {
         service.close();
     }
 
-    private List<String> texts(String name) {
-        return StreamSupport.stream(request.getAsJsonArray(name).spliterator(), false)
-                .map(JsonElement::getAsString)
-                .toList();
-    }
-
     private Optional<String> solution(String file) {
-        return Optional.ofNullable(request.getAsJsonObject("solutions").get(file))
+        return Optional.ofNullable(request.json().getAsJsonObject("solutions").get(file))
                 .map(JsonElement::getAsString);
     }
 
@@ -86,24 +77,22 @@ final class PageCourse implements CourseHost, ProgressStore {
     public ExerciseProgress update(Exercise exercise, UnaryOperator<ExerciseProgress> change) {
         ExerciseProgress state = change.apply(progress.of(exercise));
         progress = progress.with(exercise, state);
-        post("progress", new Progress(Map.of(exercise.name(), state)).json().toString());
+        PageContext.post(
+                "progress", new Progress(Map.of(exercise.name(), state)).json().toString());
         return state;
     }
 
     @Override
     public List<String> programs() {
-        return texts("programs");
+        return request.texts("programs");
     }
 
     @Override
     public boolean create(String file, String text) {
-        if (programs().contains(file) || texts("drafts").contains(file)) {
+        if (programs().contains(file) || request.texts("drafts").contains(file)) {
             return false;
         }
-        JsonObject created = new JsonObject();
-        created.addProperty("path", file);
-        created.addProperty("text", text);
-        post("starter", created.toString());
+        PageContext.post("starter", Json.object("path", file, "text", text).toString());
         return true;
     }
 
@@ -117,11 +106,6 @@ final class PageCourse implements CourseHost, ProgressStore {
 
     @Override
     public void showFreePitch() {
-        post("freePitch", "");
+        PageContext.post("freePitch", "");
     }
-
-    @JSBody(
-            params = {"name", "text"},
-            script = "var message = {}; message[name] = text; self.postMessage(message);")
-    private static native void post(String name, String text);
 }

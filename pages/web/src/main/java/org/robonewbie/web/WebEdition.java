@@ -15,21 +15,22 @@ import org.robonewbie.exercises.marking.ClassService;
 import org.robonewbie.pagejvm.Program;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
-import org.robonewbie.studio.PageMotions;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while the user is programming: those of {@link FieldEdition}, and those for
- * students' programs and exercises. Each exported method becomes a function of the WebAssembly module.
+ * Functions that the page's scripts call while the user is programming, beside those of {@link FieldEdition}. Each exported method becomes a
+ * function of the WebAssembly module, which is twice as large as that of {@code FieldEdition}.
  */
 public final class WebEdition {
 
     private static final List<byte[]> CLASSES = new ArrayList<>();
-    private static final PageCourse COURSE = new PageCourse(WebEdition::beginAttempt);
 
     private static @Nullable StudentRun run;
-    private static @Nullable ExerciseAttempt attempt;
+
+    static {
+        FieldEdition.addPrograms(() -> run = null, WebEdition::beginAttempt);
+    }
 
     private WebEdition() {}
 
@@ -39,53 +40,6 @@ public final class WebEdition {
      * @param args none
      */
     public static void main(String[] args) {}
-
-    /**
-     * Runs a shipped agent alone, without a display.
-     *
-     * @param agent class name of the agent
-     * @param seed random seed
-     * @param seconds simulated seconds
-     * @return checksum of the recording: SHA-256 in 64 hexadecimal digits
-     */
-    @JSExport
-    public static String recordingSha256(String agent, int seed, double seconds) {
-        return HeadlessRun.of(ShippedAgents.make(agent), seed, seconds).recordingSha256();
-    }
-
-    /**
-     * Lists the shipped agents.
-     *
-     * @return the class names of the agents, separated by spaces
-     */
-    @JSExport
-    public static String agents() {
-        return String.join(" ", ShippedAgents.names());
-    }
-
-    /** {@return a description of the motion editor's robot, as a JSON object} */
-    @JSExport
-    public static String robot() {
-        return PageMotions.robot();
-    }
-
-    /**
-     * Plays a motion on a robot with full physics.
-     *
-     * @param text contents of the motion file
-     * @param start initial posture
-     * @return the result as a JSON object, or a sentence if the motion is refused
-     */
-    @JSExport
-    public static String motionTrial(String text, String start) {
-        return PageContext.motionTrial(text, start);
-    }
-
-    /** {@return the bodies of all robot types, as a JSON object} */
-    @JSExport
-    public static String models() {
-        return PageMotions.models();
-    }
 
     /**
      * Converts a recording to a SimSpark server log.
@@ -102,94 +56,6 @@ public final class WebEdition {
             RecordedLog.write(reader, log);
         }
         return Int8Array.copyFromJavaArray(log.toByteArray());
-    }
-
-    /** Clears the scenes in memory before the page passes them again. */
-    @JSExport
-    public static void forgetScenes() {
-        PageContext.scenes().clear();
-    }
-
-    /**
-     * Loads a scene from the browser's storage.
-     *
-     * @param name name of the scene
-     * @param bytes the scene
-     */
-    @JSExport
-    public static void takeScene(String name, Int8Array bytes) {
-        PageContext.scenes().take(name, bytes.copyToJavaArray());
-    }
-
-    /**
-     * Saves, renames, deletes, restores or lists scenes.
-     *
-     * @param method PUT, DELETE, POST, or GET for the list
-     * @param name the scene
-     * @param old previous name of a scene that is being renamed; otherwise empty
-     * @return one JSON object, or a sentence if the request is refused
-     */
-    @JSExport
-    public static String scenes(String method, String name, String old) {
-        return PageContext.scenes(method, name, old);
-    }
-
-    /**
-     * Continues the simulation from a cycle of a recording.
-     *
-     * @param recording the uncompressed bytes of the recording
-     * @param moment zero-based index of the cycle
-     * @return one JSON object, or a sentence if the request is refused
-     */
-    @JSExport
-    public static String startFrom(Int8Array recording, int moment) {
-        return PageContext.startFrom(recording.copyToJavaArray(), moment);
-    }
-
-    /**
-     * Executes a command from the page.
-     *
-     * @param command one JSON object
-     */
-    @JSExport
-    public static void ask(String command) {
-        PageContext.ask(command);
-    }
-
-    /**
-     * Starts a world with shipped agents and shows it.
-     *
-     * @param agents class names of the agents, separated by spaces
-     * @param seed random seed
-     */
-    @JSExport
-    public static void begin(String agents, int seed) {
-        leave();
-        PageContext.begin(agents, seed);
-    }
-
-    /**
-     * Adds a shipped agent to the displayed world.
-     *
-     * @param agent class name of the agent
-     */
-    @JSExport
-    public static void join(String agent) {
-        PageContext.join(agent);
-    }
-
-    /**
-     * Advances the displayed world.
-     *
-     * @param seconds time since the last call
-     */
-    @JSExport
-    public static void turn(double seconds) {
-        if (attempt != null) {
-            attempt.turn(seconds);
-        } else {
-            PageContext.turn(seconds);
-        }
     }
 
     /**
@@ -228,10 +94,7 @@ public final class WebEdition {
      */
     @JSExport
     public static String beginProgram(int seed, String others) {
-        return change((program, started) -> {
-            leave();
-            PageContext.begin(others, seed, pitch -> pitch.with(program, started));
-        });
+        return change((program, started) -> PageContext.begin(others, seed, pitch -> pitch.with(program, started)));
     }
 
     /** {@return whether a student's program runs on the pitch and can be replaced} */
@@ -271,17 +134,6 @@ public final class WebEdition {
     }
 
     /**
-     * Answers a request to the course service.
-     *
-     * @param request one JSON object with the request and what the browser has stored
-     * @return JSON, or a sentence if the request is refused
-     */
-    @JSExport
-    public static String course(String request) {
-        return COURSE.answer(request);
-    }
-
-    /**
      * Answers a request of the pages for a class without accounts.
      *
      * @param action name of the request
@@ -297,8 +149,8 @@ public final class WebEdition {
         List<byte[]> taken = takenClasses();
         StudentController.agentOf(loaded(taken));
         run = null;
-        attempt = new ExerciseAttempt(exercise, taken, id, trials, PageContext.PAGE, judged);
-        PageContext.show(attempt.world());
+        ExerciseAttempt attempt = new ExerciseAttempt(exercise, taken, id, trials, PageContext.PAGE, judged);
+        PageContext.show(attempt);
         return attempt;
     }
 
@@ -320,12 +172,6 @@ public final class WebEdition {
         if (run != null) {
             run.stop();
         }
-    }
-
-    private static void leave() {
-        run = null;
-        attempt = null;
-        COURSE.close();
     }
 
     private static List<byte[]> takenClasses() {

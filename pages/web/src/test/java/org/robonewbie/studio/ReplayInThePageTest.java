@@ -151,7 +151,8 @@ class ReplayInThePageTest {
                         + " const choice = document.querySelector('#recording-file'); choice.files = given.files;"
                         + " choice.dispatchEvent(new Event('change')); })()");
 
-        browser.await("document.querySelector('#toast').innerText.includes('“letter.rec” is not a RoboNewbie recording')");
+        browser.await(
+                "document.querySelector('#toast').innerText.includes('“letter.rec” is not a RoboNewbie recording')");
     }
 
     @Test

@@ -1,17 +1,17 @@
 package org.robonewbie.simulator.file;
 
-import com.google.gson.Gson;
-import com.google.gson.JsonParseException;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * The metadata of a recording in a sidecar file {@code NAME.about}: its origin and the user's annotations. The recording
@@ -39,13 +39,6 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      */
     public record Bookmark(double seconds, String note) {}
 
-    /** The contents of a file; missing values are null. */
-    private record Written(
-            @Nullable String agent,
-            @Nullable String project,
-            boolean starred,
-            @Nullable List<Bookmark> bookmarks) {}
-
     /** Makes the list of bookmarks unmodifiable. */
     public RecordingAbout {
         bookmarks = List.copyOf(bookmarks);
@@ -60,16 +53,45 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     public static RecordingAbout of(Path recording) {
         try {
             Path file = new RecordingGroup(recording).beside(RecordingGroup.ABOUT);
-            Written written = new Gson()
-                    .fromJson(new String(RegularFile.read(file, MAX_BYTES), StandardCharsets.UTF_8), Written.class);
-            return new RecordingAbout(
-                    Optional.ofNullable(written.agent()).orElse(""),
-                    Optional.ofNullable(written.project()).orElse(""),
-                    written.starred(),
-                    Optional.ofNullable(written.bookmarks()).orElse(List.of()));
-        } catch (IOException | JsonParseException | NullPointerException none) {
+            String text = new String(RegularFile.read(file, MAX_BYTES), StandardCharsets.UTF_8);
+            return of(JsonParser.parseString(text).getAsJsonObject());
+        } catch (IOException | RuntimeException none) {
             return NOTHING;
         }
+    }
+
+    /**
+     * Reads metadata from JSON.
+     *
+     * @param json an object as returned by {@link #json}; members may be missing
+     * @return the metadata
+     * @throws RuntimeException if a member has the wrong type
+     */
+    public static RecordingAbout of(JsonObject json) {
+        List<Bookmark> bookmarks = new ArrayList<>();
+        if (json.has("bookmarks")) {
+            for (JsonElement each : json.getAsJsonArray("bookmarks")) {
+                bookmarks.add(new Bookmark(
+                        each.getAsJsonObject().get("seconds").getAsDouble(), text(each.getAsJsonObject(), "note")));
+            }
+        }
+        boolean isStarred = json.has("starred") && json.get("starred").getAsBoolean();
+        return new RecordingAbout(text(json, "agent"), text(json, "project"), isStarred, bookmarks);
+    }
+
+    private static String text(JsonObject json, String name) {
+        return json.has(name) ? json.get(name).getAsString() : "";
+    }
+
+    /** {@return the metadata as JSON} */
+    public JsonObject json() {
+        return Json.object(
+                "agent", agent,
+                "project", project,
+                "starred", starred,
+                "bookmarks",
+                        Json.array(bookmarks.stream()
+                                .map(each -> Json.object("seconds", each.seconds(), "note", each.note()))));
     }
 
     /**
@@ -79,7 +101,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      * @throws IOException if it cannot be written
      */
     public void write(Path recording) throws IOException {
-        AtomicFile.write(new RecordingGroup(recording).beside(RecordingGroup.ABOUT), new Gson().toJson(this));
+        AtomicFile.write(new RecordingGroup(recording).beside(RecordingGroup.ABOUT), json().toString());
     }
 
     /**

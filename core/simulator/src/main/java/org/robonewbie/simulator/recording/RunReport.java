@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.recording;
 
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,6 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * The ground-truth results of a run.
@@ -100,16 +100,16 @@ public record RunReport(
      * @return the JSON text
      */
     public String toJson() {
-        JsonObject json = new JsonObject();
-        json.addProperty("seed", seed);
-        json.addProperty("simulatedSeconds", rounded(simulatedSeconds));
-        json.addProperty("wallSeconds", rounded(wallSeconds));
-        json.addProperty("realTimeFactor", rounded(realTimeFactor()));
-        json.addProperty("missedCycles", missedCycles);
-        json.add("robots", array(robots.stream().map(RunReport::json).toList()));
-        json.add("ball", json(ball));
-        json.add("goals", array(goals.stream().map(RunReport::json).toList()));
-        json.addProperty("recordingSha256", recordingSha256);
+        JsonObject json = Json.object(
+                "seed", seed,
+                "simulatedSeconds", rounded(simulatedSeconds),
+                "wallSeconds", rounded(wallSeconds),
+                "realTimeFactor", rounded(realTimeFactor()),
+                "missedCycles", missedCycles,
+                "robots", Json.array(robots.stream().map(RunReport::json)),
+                "ball", json(ball),
+                "goals", Json.array(goals.stream().map(RunReport::json)),
+                "recordingSha256", recordingSha256);
         return new GsonBuilder()
                         .setPrettyPrinting()
                         .disableHtmlEscaping()
@@ -128,44 +128,33 @@ public record RunReport(
     }
 
     private static JsonObject json(RobotResult robot) {
-        JsonObject json = new JsonObject();
-        json.addProperty("team", robot.team());
-        json.addProperty("number", robot.number());
-        json.addProperty("falls", robot.falls());
-        json.addProperty("metresWalked", rounded(robot.metresWalked()));
-        json.addProperty("x", rounded(robot.position().x()));
-        json.addProperty("y", rounded(robot.position().y()));
-        json.addProperty("z", rounded(robot.position().z()));
-        json.addProperty("headingDegrees", rounded(robot.headingDegrees()));
-        json.addProperty("upright", robot.upright());
-        json.addProperty("missedCycles", robot.missedCycles());
         JsonObject joints = new JsonObject();
         robot.joints().forEach((name, degrees) -> joints.addProperty(name, rounded(degrees)));
-        json.add("joints", joints);
-        return json;
+        return Json.object(
+                "team", robot.team(),
+                "number", robot.number(),
+                "falls", robot.falls(),
+                "metresWalked", rounded(robot.metresWalked()),
+                "x", rounded(robot.position().x()),
+                "y", rounded(robot.position().y()),
+                "z", rounded(robot.position().z()),
+                "headingDegrees", rounded(robot.headingDegrees()),
+                "upright", robot.upright(),
+                "missedCycles", robot.missedCycles(),
+                "joints", joints);
     }
 
     private static JsonObject json(Ball ball) {
-        JsonObject json = new JsonObject();
-        json.addProperty("x", rounded(ball.position().x()));
-        json.addProperty("y", rounded(ball.position().y()));
-        json.addProperty("z", rounded(ball.position().z()));
-        json.addProperty("metresMoved", rounded(ball.metresMoved()));
-        json.addProperty("leastDistanceToGoal", rounded(ball.leastDistanceToGoal()));
-        return json;
+        return Json.object(
+                "x", rounded(ball.position().x()),
+                "y", rounded(ball.position().y()),
+                "z", rounded(ball.position().z()),
+                "metresMoved", rounded(ball.metresMoved()),
+                "leastDistanceToGoal", rounded(ball.leastDistanceToGoal()));
     }
 
     private static JsonObject json(Goal goal) {
-        JsonObject json = new JsonObject();
-        json.addProperty("time", rounded(goal.playSeconds()));
-        json.addProperty("team", goal.team());
-        return json;
-    }
-
-    private static JsonArray array(List<JsonObject> objects) {
-        JsonArray array = new JsonArray();
-        objects.forEach(array::add);
-        return array;
+        return Json.object("time", rounded(goal.playSeconds()), "team", goal.team());
     }
 
     /** Rounds to six decimals. Infinite values, such as the goal distance of a run without cycles, become 0. */

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * A student's progress in all exercises.
@@ -77,22 +78,18 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
     public JsonObject json() {
         JsonObject states = new JsonObject();
         exercises.forEach((name, state) -> states.add(name, json(state)));
-        JsonObject json = new JsonObject();
-        json.addProperty("version", VERSION);
-        json.add("exercises", states);
-        return json;
+        return Json.object("version", VERSION, "exercises", states);
     }
 
     private static JsonObject json(ExerciseProgress state) {
-        JsonObject json = new JsonObject();
-        json.addProperty("tries", state.tries());
-        json.addProperty("bestPoints", state.bestPoints());
-        json.addProperty("passed", state.passed());
-        json.addProperty("seconds", state.seconds());
-        json.addProperty("hints", state.hints());
-        json.addProperty("solutionSeen", state.solutionSeen());
-        json.addProperty("lastSeen", state.lastSeen());
-        return json;
+        return Json.object(
+                "tries", state.tries(),
+                "bestPoints", state.bestPoints(),
+                "passed", state.passed(),
+                "seconds", state.seconds(),
+                "hints", state.hints(),
+                "solutionSeen", state.solutionSeen(),
+                "lastSeen", state.lastSeen());
     }
 
     /**

@@ -89,13 +89,24 @@ public abstract class ApiHandler extends Handler.Abstract {
     }
 
     /**
+     * Returns a header of a request.
+     *
+     * @param request the request
+     * @param name name of the header
+     * @return its value; empty if it is missing
+     */
+    protected static String header(Request request, String name) {
+        return Optional.ofNullable(request.getHeaders().get(name)).orElse("");
+    }
+
+    /**
      * Returns the version of the file that the page has read.
      *
      * @param request the request
      * @return the version; empty for a new file
      */
     protected static String knownVersion(Request request) {
-        return Optional.ofNullable(request.getHeaders().get("Known-Version")).orElse("");
+        return header(request, "Known-Version");
     }
 
     /**

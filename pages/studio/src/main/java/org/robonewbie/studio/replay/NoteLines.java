@@ -1,6 +1,5 @@
 package org.robonewbie.studio.replay;
 
-import com.google.gson.JsonObject;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
+import org.robonewbie.simulator.json.Json;
 
 /** Selects the log entries and drawings that are stored alongside a recording, and writes them as JSON lines. */
 public final class NoteLines {
@@ -39,14 +39,10 @@ public final class NoteLines {
 
     private String line(TelemetryMessage message, LogEntry entry) {
         entries++;
-        JsonObject line = new JsonObject();
-        line.addProperty("seconds", message.seconds());
-        line.addProperty("robot", robot(message));
-        line.addProperty("level", entry.level());
-        line.addProperty(
-                "text",
-                entry.text().substring(0, Math.min(MAX_CHARACTERS, entry.text().length())));
-        return line.toString();
+        String text =
+                entry.text().substring(0, Math.min(MAX_CHARACTERS, entry.text().length()));
+        return Json.object("seconds", message.seconds(), "robot", robot(message), "level", entry.level(), "text", text)
+                .toString();
     }
 
     private boolean isDue(TelemetryMessage message) {
@@ -56,9 +52,7 @@ public final class NoteLines {
 
     private Optional<String> picture(TelemetryMessage message) {
         lastPictures.put(robot(message), message.seconds());
-        JsonObject json = new JsonObject();
-        json.addProperty("drawn", TelemetryLine.write(message));
-        String line = json.toString();
+        String line = Json.object("drawn", TelemetryLine.write(message)).toString();
         if (drawnCharacters + line.length() > MAX_DRAWN_CHARACTERS) {
             return Optional.empty();
         }

@@ -1,5 +1,6 @@
 package org.robonewbie.studio.replay;
 
+import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
@@ -25,7 +26,6 @@ final class PackedReader {
     private static final int MARK = 0x0000FFFF;
 
     private final RunWatch watch = new RunWatch();
-    private final RecordingState state = new RecordingState(watch);
     private final UnpackedWindow window = new UnpackedWindow();
     private final Inflater inflater = new Inflater(true);
     private final byte[] output = new byte[MAX_OUTPUT_BYTES];
@@ -95,12 +95,13 @@ final class PackedReader {
         inflater.setInput(bytes, from, end - from);
         for (int length = inflater.inflate(output); length > 0; length = inflater.inflate(output)) {
             window.add(output, length);
-            state.push(output, length);
+            watch.push(output, length);
         }
     }
 
     private void pointAt(long packedAt) throws IOException {
         long last = points.isEmpty() ? 0 : points.get(points.size() - 1).unpackedAt();
+        RecordingState state = watch.state();
         if (state.isBetweenCycles() && inflater.needsInput() && window.written() - last >= BYTES_BETWEEN_POINTS) {
             EntryPoint.Known known = new EntryPoint.Known(state.toRecords(), window.content());
             points.add(EntryPoint.of(packedAt, window.written(), watch.count(), known));
@@ -112,8 +113,8 @@ final class PackedReader {
         return read;
     }
 
-    RunSummary summary() {
-        return watch.summary(state);
+    JsonObject summary() {
+        return watch.summary();
     }
 
     List<EntryPoint> points() {

@@ -1,5 +1,7 @@
 package org.robonewbie.studio.replay;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.ByteArrayOutputStream;
@@ -35,13 +37,13 @@ final class RecordingIndex {
     private static final int BUFFER_BYTES = 1 << 16;
 
     private final Optional<PackedReader> reader;
-    private RunSummary summary;
+    private JsonObject summary;
     private List<EntryPoint> points;
     private byte[] beginning = {};
     private long bytes;
     private boolean whole;
 
-    private RecordingIndex(Optional<PackedReader> reader, RunSummary summary, List<EntryPoint> points) {
+    private RecordingIndex(Optional<PackedReader> reader, JsonObject summary, List<EntryPoint> points) {
         this.reader = reader;
         this.summary = summary;
         this.points = points;
@@ -76,7 +78,7 @@ final class RecordingIndex {
         whole = reader.get().readOn(recording, System.nanoTime() + milliseconds * 1_000_000);
         summary = reader.get().summary();
         points = reader.get().points();
-        if (whole && reader.get().read() >= WORTH_A_FILE_BYTES && RecordingPlaces.isFinished(recording)) {
+        if (whole && reader.get().read() >= WORTH_A_FILE_BYTES && RecordingFolders.isFinished(recording)) {
             save(recording);
         }
     }
@@ -89,17 +91,9 @@ final class RecordingIndex {
         return isLongEnough && Arrays.equals(beginning, bytesAt(recording, 0, beginning.length));
     }
 
-    synchronized RunSummary summary() {
-        return summary;
-    }
-
-    synchronized boolean isWhole() {
-        return whole;
-    }
-
-    /** {@return the index of the first cycle after each entry point} */
-    synchronized int[] firstMoments() {
-        return points.stream().mapToInt(EntryPoint::firstMoment).toArray();
+    synchronized RunReading reading() {
+        return new RunReading(
+                summary, whole, points.stream().map(EntryPoint::firstMoment).toList());
     }
 
     /**
@@ -163,7 +157,7 @@ final class RecordingIndex {
             out.writeUTF(MAGIC);
             out.writeLong(Files.size(recording));
             out.writeLong(fingerprint(recording, Files.size(recording)));
-            byte[] json = summary.json().getBytes(StandardCharsets.UTF_8);
+            byte[] json = summary.toString().getBytes(StandardCharsets.UTF_8);
             out.writeInt(json.length);
             out.write(json);
             out.writeInt(points.size());
@@ -190,7 +184,8 @@ final class RecordingIndex {
             if (!fits) {
                 return Optional.empty();
             }
-            RunSummary summary = RunSummary.ofJson(new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8));
+            JsonObject summary = JsonParser.parseString(new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8))
+                    .getAsJsonObject();
             List<EntryPoint> points = new ArrayList<>();
             for (int count = in.readInt(); count > 0; count--) {
                 points.add(EntryPoint.read(in));

@@ -70,7 +70,7 @@ public final class RunNotes {
             return Optional.empty();
         }
         return repository.get().list().stream()
-                .filter(RecordingPlaces::isRunning)
+                .filter(RecordingFolders::isRunning)
                 .findFirst()
                 .map(RunNotes::of);
     }

@@ -1,5 +1,6 @@
 package org.robonewbie.studio.replay;
 
+import com.google.gson.JsonObject;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -7,16 +8,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.simulator.json.Json;
 import org.robonewbie.simulator.recording.ListedRobot;
 import org.robonewbie.simulator.recording.RecordingState;
 
-/** Builds the summary of a recording while it is being read. */
-final class RunWatch implements RecordingState.Listener {
+/** Incremental reader of an uncompressed recording that builds its summary. */
+public final class RunWatch implements RecordingState.Listener {
 
     private static final List<String> KINDS = List.of("goal", "foul", "playmode");
     private static final double COSINE_OF_FALL = Math.cos(Math.toRadians(BodyState.FALLEN_DEGREES));
 
-    private final List<RunSummary.Event> events = new ArrayList<>();
+    private final RecordingState state = new RecordingState(this);
+    private final List<JsonObject> events = new ArrayList<>();
     private final Trail ball = new Trail();
     private final Map<Integer, Trail> ways = new LinkedHashMap<>();
     private final Map<Integer, Integer> sides = new HashMap<>();
@@ -28,12 +31,34 @@ final class RunWatch implements RecordingState.Listener {
     private int count;
     private long firstCycle;
 
+    /** Creates a reader before the first byte. */
+    public RunWatch() {}
+
+    /**
+     * Reads the next bytes.
+     *
+     * @param bytes an array that contains the bytes at its start
+     * @param length number of bytes
+     * @throws IllegalArgumentException if they are not a recording of this version or are damaged
+     */
+    public void push(byte[] bytes, int length) {
+        state.push(bytes, length);
+    }
+
+    RecordingState state() {
+        return state;
+    }
+
     @Override
     public void happened(String text) {
         String[] words = text.split(" ", 2);
         if (KINDS.contains(words[0])) {
-            events.add(new RunSummary.Event(count, words[0], words.length > 1 ? words[1] : ""));
+            addEvent(words[0], words.length > 1 ? words[1] : "");
         }
+    }
+
+    private void addEvent(String kind, String text) {
+        events.add(Json.object("index", count, "kind", kind, "text", text));
     }
 
     @Override
@@ -58,7 +83,7 @@ final class RunWatch implements RecordingState.Listener {
         sides.put(robot.id(), robot.side());
         boolean isUpright = !isFallen(robot, state);
         if (Boolean.TRUE.equals(upright.put(robot.id(), isUpright)) && !isUpright) {
-            events.add(new RunSummary.Event(count, "fall", (robot.team() + " " + robot.number()).strip()));
+            addEvent("fall", (robot.team() + " " + robot.number()).strip());
         }
     }
 
@@ -77,44 +102,69 @@ final class RunWatch implements RecordingState.Listener {
     }
 
     /** {@return the number of cycles read so far} */
-    int count() {
+    public int count() {
         return count;
     }
 
-    RunSummary summary(RecordingState state) {
-        Map<String, String> header = state.header();
-        return new RunSummary(
-                count,
-                firstCycle,
-                state.teams().get(0),
-                state.teams().get(1),
-                state.score(),
-                robots,
-                List.of(number(header, "FieldLength", 12), number(header, "FieldWidth", 8)),
-                ball.places(),
-                ways.entrySet().stream()
-                        .map(way -> new RunSummary.Way(
-                                Objects.requireNonNull(sides.get(way.getKey())),
-                                way.getValue().places()))
-                        .toList(),
-                List.copyOf(events),
-                rosters.entrySet().stream()
-                        .filter(entry -> entry.getValue()[0] > 0)
-                        .map(RunWatch::roster)
-                        .toList(),
-                header);
+    /**
+     * Returns the summary of what has been read, the data that a page needs to open the recording at any cycle.
+     *
+     * <pre>
+     * count, firstCycle     number of cycles, and the simulation cycle of the first one
+     * left, right           names of the teams, empty for none
+     * score                 goals of the left and the right team
+     * robots                maximum number of simultaneous robots
+     * pitch                 length and width of the field in metres
+     * ball                  trail of the ball: x and y in metres, at equal intervals
+     * ways                  trails of the robots, with their side: 0 for no team, 1 for the left team, 2 for the right team
+     * events                index of the cycle, kind (goal, foul, playmode or fall) and text
+     * rosters               line-ups of robots, each with its number of cycles
+     * header                header of the recording
+     * </pre>
+     *
+     * @return the summary
+     */
+    public JsonObject summary() {
+        JsonObject header = new JsonObject();
+        state.header().forEach(header::addProperty);
+        return Json.object(
+                "count", count,
+                "firstCycle", firstCycle,
+                "left", state.teams().get(0),
+                "right", state.teams().get(1),
+                "score", state.score(),
+                "robots", robots,
+                "pitch", List.of(size(header, "FieldLength", 12), size(header, "FieldWidth", 8)),
+                "ball", ball.places(),
+                "ways", Json.array(ways.entrySet().stream().map(this::way)),
+                "events", events,
+                "rosters",
+                        Json.array(rosters.entrySet().stream()
+                                .filter(entry -> entry.getValue()[0] > 0)
+                                .map(RunWatch::roster)),
+                "header", header);
     }
 
-    private static RunSummary.Roster roster(Map.Entry<List<ListedRobot>, int[]> entry) {
-        List<RunSummary.Member> members = entry.getKey().stream()
-                .map(robot -> new RunSummary.Member(robot.type().name(), robot.number(), robot.team()))
-                .toList();
-        return new RunSummary.Roster(members, entry.getValue()[0]);
+    private JsonObject way(Map.Entry<Integer, Trail> way) {
+        return Json.object(
+                "side",
+                Objects.requireNonNull(sides.get(way.getKey())),
+                "places",
+                way.getValue().places());
     }
 
-    private static double number(Map<String, String> header, String name, double otherwise) {
+    private static JsonObject roster(Map.Entry<List<ListedRobot>, int[]> entry) {
+        return Json.object(
+                "robots", Json.array(entry.getKey().stream().map(RunWatch::member)), "cycles", entry.getValue()[0]);
+    }
+
+    private static JsonObject member(ListedRobot robot) {
+        return Json.object("type", robot.type().name(), "number", robot.number(), "team", robot.team());
+    }
+
+    private static double size(JsonObject header, String name, double otherwise) {
         try {
-            double value = Double.parseDouble(String.valueOf(header.get(name)));
+            double value = Double.parseDouble(header.has(name) ? header.get(name).getAsString() : "");
             return value > 0 && Double.isFinite(value) ? value : otherwise;
         } catch (NumberFormatException missingOrDamaged) {
             return otherwise;

@@ -1,5 +1,5 @@
 /**
- * Server side of the replay. Start with {@link org.robonewbie.studio.replay.ReplayApi}.
+ * Recordings and their summaries for the replay. Start with {@link org.robonewbie.studio.replay.ReplayService}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * Teams' drawings in RoboViz's model: double-buffered sets of shapes. Shapes go to the back buffer and appear at the next swap of
@@ -79,31 +80,26 @@ public final class RoboVizFeed {
         } else {
             agentTexts.put(robot, text);
         }
-        JsonArray sheet = new JsonArray();
-        agentTexts.values().forEach(each -> sheet.add(json(each)));
+        JsonArray sheet = Json.array(agentTexts.values().stream().map(RoboVizFeed::json));
         shown.put(AGENT_TEXTS, new Sheet(revision, sheet));
     }
 
     private static JsonObject json(RoboVizCommand.Draw draw) {
-        JsonObject json = new JsonObject();
-        json.addProperty("shape", draw.shape());
-        JsonArray numbers = new JsonArray();
-        draw.numbers().forEach(numbers::add);
-        json.add("numbers", numbers);
-        json.addProperty("colour", draw.colour());
-        json.addProperty("opacity", draw.opacity());
-        json.addProperty("text", draw.text());
-        return json;
+        return Json.object(
+                "shape", draw.shape(),
+                "numbers", draw.numbers(),
+                "colour", draw.colour(),
+                "opacity", draw.opacity(),
+                "text", draw.text());
     }
 
     private static JsonObject json(RoboVizCommand.AgentText text) {
-        JsonObject json = new JsonObject();
-        json.addProperty("shape", "agent");
-        json.addProperty("side", text.side().name().toLowerCase(Locale.ROOT));
-        json.addProperty("number", text.number());
-        json.addProperty("colour", text.colour());
-        json.addProperty("text", text.text());
-        return json;
+        return Json.object(
+                "shape", "agent",
+                "side", text.side().name().toLowerCase(Locale.ROOT),
+                "number", text.number(),
+                "colour", text.colour(),
+                "text", text.text());
     }
 
     /** {@return the number of changes so far} */
@@ -127,9 +123,6 @@ public final class RoboVizFeed {
         if (sets.isEmpty()) {
             return Optional.empty();
         }
-        JsonObject json = new JsonObject();
-        json.addProperty("kind", "board");
-        json.add("sets", sets);
-        return Optional.of(json.toString());
+        return Optional.of(Json.object("kind", "board", "sets", sets).toString());
     }
 }

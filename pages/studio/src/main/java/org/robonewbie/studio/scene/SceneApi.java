@@ -17,22 +17,18 @@ import org.robonewbie.studio.file.PathPart;
  * HTTP endpoint for scenes: saves them, and continues from them or from any cycle of a recording.
  *
  * <pre>
- * GET  /api/scenes                  names of all scenes
- * PUT  /api/scenes/NAME             saves the current state; header Replace: yes overwrites an existing scene
- * PUT  /api/scenes/NAME?was=OLD     renames the scene OLD
- * DELETE /api/scenes/NAME           deletes the scene; can be undone
- * POST /api/scenes/NAME             restores the scene
+ * /api/scenes                           see {@link SceneService}; the header Replace: yes stands for its parameter
  * POST /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
  * </pre>
  *
- * <p>The last two requests return whether the state is exact and how many agents have restored their own states.
+ * <p>The last request returns whether the state is exact and how many agents have restored their own states.
  */
 public final class SceneApi extends ApiHandler {
 
     private static final String SCENES = "/api/scenes";
     private static final String START = "/api/start/";
 
-    private final SceneFolder folder;
+    private final Path folder;
     private final SceneService service;
     private final Function<String, Optional<Path>> recordings;
 
@@ -49,8 +45,9 @@ public final class SceneApi extends ApiHandler {
             RestorableSimulation world,
             Consumer<UndoableCommand> done,
             Function<String, Optional<Path>> recordings) {
-        this.folder = new SceneFolder(folder);
-        this.service = new SceneService(this.folder, folder.toAbsolutePath().toString(), world, done);
+        this.folder = folder;
+        this.service = new SceneService(
+                new SceneFolder(folder), folder.toAbsolutePath().toString(), world, done);
         this.recordings = recordings;
     }
 
@@ -63,18 +60,17 @@ public final class SceneApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return explain("The scene", folder.folder(), problem);
+        return explain("The scene", folder, problem);
     }
 
     private String reply(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
             return start(PathPart.decode(path.substring(START.length())), moment(request));
         }
-        String name = path.equals(SCENES) ? "" : PathPart.decode(path.substring(SCENES.length() + 1));
-        Optional<String> old =
-                Optional.ofNullable(Request.extractQueryParameters(request).getValue("was"));
-        boolean replace = "yes".equals(request.getHeaders().get("Replace"));
-        return service.answer(request.getMethod(), name, old, replace);
+        return service.answer(
+                request.getMethod(),
+                PathPart.decodeAll(path.substring(SCENES.length())),
+                name -> name.equals("replace") ? header(request, "Replace") : parameter(request, name));
     }
 
     private String start(String name, long moment) throws IOException {

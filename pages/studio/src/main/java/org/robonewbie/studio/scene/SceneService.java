@@ -1,18 +1,31 @@
 package org.robonewbie.studio.scene;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.util.Optional;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.robonewbie.nao.text.FileName;
+import org.robonewbie.simulator.json.Json;
 import org.robonewbie.simulator.recording.RecordingReader;
+import org.robonewbie.studio.service.PageService;
 
-/** Saves and restores scenes. Answers are JSON objects for the page. */
-public final class SceneService {
+/**
+ * Saves and restores scenes. Responses are JSON.
+ *
+ * <pre>
+ * GET                        names of all scenes
+ * PUT    NAME                saves the current state; parameter replace=yes overwrites an existing scene
+ * PUT    NAME?was=OLD        renames the scene OLD
+ * DELETE NAME                deletes the scene; can be undone
+ * POST   NAME                restores the scene
+ * </pre>
+ */
+public final class SceneService implements PageService {
 
     /** End of the error message for a finished recording that does not contain the requested cycle. */
     public static final String ENDS_BEFORE = ": it ends earlier, or is damaged at that point. Choose an earlier cycle.";
 
+    private static final int MAX_NAME_CHARACTERS = 60;
     private static final String DONE = "{}";
 
     private final SceneStore store;
@@ -36,23 +49,18 @@ public final class SceneService {
     }
 
     /**
-     * Handles a request.
+     * {@inheritDoc}
      *
-     * @param method PUT saves or renames, DELETE deletes, POST restores, any other method lists the scenes
-     * @param name the scene
-     * @param old previous name of a scene that is being renamed; otherwise empty
-     * @param replace whether saving overwrites an existing scene
-     * @return the answer
-     * @throws IOException if a scene cannot be read or written
-     * @throws IllegalArgumentException if the request is refused; the message gives the reason
      * @throws IllegalStateException if the scene cannot be restored; the message gives the reason
      */
-    public String answer(String method, String name, Optional<String> old, boolean replace) throws IOException {
+    @Override
+    public String answer(String method, List<String> path, UnaryOperator<String> parameters) throws IOException {
+        String name = path.isEmpty() ? "" : path.get(0);
         switch (method) {
-            case "PUT" -> put(name, old, replace);
-            case "DELETE" -> done.accept(SceneCommand.removed(store, name));
+            case "PUT" -> put(name, parameters.apply("was"), parameters.apply("replace"));
+            case "DELETE" -> delete(name);
             case "POST" -> {
-                return written(world.restore(store.load(name)));
+                return written(world.restore(read(name).checkpoint().orElseThrow(() -> damaged(name))));
             }
             default -> {
                 return list();
@@ -61,13 +69,64 @@ public final class SceneService {
         return DONE;
     }
 
-    private void put(String name, Optional<String> old, boolean replace) throws IOException {
-        if (old.isPresent()) {
-            store.rename(old.get(), name);
-            done.accept(SceneCommand.renamed(store, old.get(), name));
-        } else {
-            store.save(name, world.field(), new Checkpoint(world.now(), world.now(), world.save()), replace);
+    private void put(String name, String old, String replace) throws IOException {
+        if (!isName(name)) {
+            throw new IllegalArgumentException("A scene cannot be named \"" + name
+                    + "\". Use letters, digits, spaces, dots, - and _, beginning with a letter or digit.");
         }
+        if (!old.isEmpty()) {
+            rename(old, name);
+            done.accept(new SceneCommand(
+                    "scene \"" + old + "\" renamed to \"" + name + "\"",
+                    () -> rename(name, old),
+                    () -> rename(old, name)));
+            return;
+        }
+        if (!replace.equals("yes")) {
+            requireUnused(name);
+        }
+        store.write(name, SavedScene.of(world.field(), world.now(), world.save()));
+    }
+
+    private void rename(String from, String to) throws IOException {
+        SavedScene scene = read(from);
+        create(to, scene);
+        store.delete(from);
+    }
+
+    private void delete(String name) throws IOException {
+        SavedScene scene = read(name);
+        store.delete(name);
+        done.accept(new SceneCommand(
+                "scene \"" + name + "\" deleted", () -> create(name, scene), () -> store.delete(name)));
+    }
+
+    private void create(String name, SavedScene scene) throws IOException {
+        requireUnused(name);
+        store.write(name, scene);
+    }
+
+    private SavedScene read(String name) throws IOException {
+        if (!store.names().contains(name)) {
+            throw new IllegalArgumentException("The scene \"" + name + "\" no longer exists. Reload the page.");
+        }
+        return store.read(name);
+    }
+
+    /** Refuses names that differ from an existing one only in case too, because some file systems ignore case. */
+    private void requireUnused(String name) throws IOException {
+        if (store.names().stream().anyMatch(name::equalsIgnoreCase)) {
+            throw new IllegalArgumentException("There is already a scene named \"" + name + "\". Choose another name.");
+        }
+    }
+
+    private static IllegalArgumentException damaged(String name) {
+        return new IllegalArgumentException("The scene \"" + name + "\" is damaged.");
+    }
+
+    /** Returns whether a scene can have a name. */
+    static boolean isName(String name) {
+        return FileName.isPlain(name, " _.-", MAX_NAME_CHARACTERS);
     }
 
     /**
@@ -82,23 +141,16 @@ public final class SceneService {
      * @throws IllegalStateException if the state cannot be restored; the message gives the reason
      */
     public String start(RecordingReader recording, long moment, String why) throws IOException {
-        return written(world.restore(SceneRecording.moment(recording, moment)
+        return written(world.restore(SavedScene.moment(recording, moment)
                 .orElseThrow(() -> new IllegalArgumentException("The recording has no cycle " + moment + why))));
     }
 
     private static String written(RestorableSimulation.Restored restored) {
-        JsonObject json = new JsonObject();
-        json.addProperty("exact", restored.exact());
-        json.addProperty("agents", restored.agents());
-        return json.toString();
+        return Json.object("exact", restored.exact(), "agents", restored.agents())
+                .toString();
     }
 
     private String list() throws IOException {
-        JsonArray names = new JsonArray();
-        store.names().forEach(names::add);
-        JsonObject json = new JsonObject();
-        json.add("scenes", names);
-        json.addProperty("folder", place);
-        return json.toString();
+        return Json.object("scenes", store.names(), "folder", place).toString();
     }
 }

@@ -1,6 +1,5 @@
 package org.robonewbie.studio.wall;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.List;
 import java.util.Locale;
@@ -13,6 +12,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.json.Json;
 
 /** Top view of a running trial for a {@link TrialWall}, updated several times per second. */
 final class TrialPicture implements SimulationObserver {
@@ -22,7 +22,7 @@ final class TrialPicture implements SimulationObserver {
 
     private final String id;
     private final SimulationControl simulation;
-    private final JsonObject facts = new JsonObject();
+    private final JsonObject facts;
     private volatile @Nullable WorldSnapshot latest;
     private long takenNanos = System.nanoTime() - INTERVAL_NANOS;
 
@@ -37,13 +37,12 @@ final class TrialPicture implements SimulationObserver {
     TrialPicture(String id, List<String> teams, SimulationControl simulation, String studio) {
         this.id = id;
         this.simulation = simulation;
-        JsonArray names = new JsonArray();
-        teams.forEach(names::add);
-        facts.addProperty("id", id);
-        facts.add("teams", names);
-        facts.addProperty("studio", studio);
-        facts.addProperty("length", simulation.field().length());
-        facts.addProperty("width", simulation.field().width());
+        facts = Json.object(
+                "id", id,
+                "teams", teams,
+                "studio", studio,
+                "length", simulation.field().length(),
+                "width", simulation.field().width());
         simulation.addObserver(this);
     }
 
@@ -73,41 +72,30 @@ final class TrialPicture implements SimulationObserver {
     }
 
     private JsonObject written(WorldSnapshot snapshot) {
-        JsonObject json = new JsonObject();
-        json.addProperty("id", id);
-        json.addProperty("seconds", rounded(snapshot.gameTime()));
-        json.addProperty("playMode", snapshot.playMode().simSparkName());
-        json.addProperty("left", snapshot.teamLeft());
-        json.addProperty("right", snapshot.teamRight());
-        JsonArray score = new JsonArray();
-        score.add(snapshot.scoreLeft());
-        score.add(snapshot.scoreRight());
-        json.add("score", score);
-        json.add("ball", place(snapshot.ballPosition()));
-        JsonArray robots = new JsonArray();
-        snapshot.robots().forEach(robot -> robots.add(robot(robot)));
-        json.add("robots", robots);
-        return json;
+        return Json.object(
+                "id", id,
+                "seconds", rounded(snapshot.gameTime()),
+                "playMode", snapshot.playMode().simSparkName(),
+                "left", snapshot.teamLeft(),
+                "right", snapshot.teamRight(),
+                "score", List.of(snapshot.scoreLeft(), snapshot.scoreRight()),
+                "ball", place(snapshot.ballPosition()),
+                "robots", Json.array(snapshot.robots().stream().map(TrialPicture::robot)));
     }
 
     private static JsonObject robot(RobotSnapshot robot) {
         BodyState body = robot.body();
-        JsonObject json = new JsonObject();
-        json.addProperty(
-                "side",
-                robot.side().map(side -> side.name().toLowerCase(Locale.ROOT)).orElse(""));
-        json.addProperty("number", robot.number());
-        json.add("place", place(body.position()));
-        json.addProperty("heading", Math.round(body.headingDegrees()));
-        json.addProperty("fallen", body.isFallen());
-        return json;
+        String side = robot.side().map(each -> each.name().toLowerCase(Locale.ROOT)).orElse("");
+        return Json.object(
+                "side", side,
+                "number", robot.number(),
+                "place", place(body.position()),
+                "heading", Math.round(body.headingDegrees()),
+                "fallen", body.isFallen());
     }
 
-    private static JsonArray place(Vector3 position) {
-        JsonArray json = new JsonArray();
-        json.add(rounded(position.x()));
-        json.add(rounded(position.y()));
-        return json;
+    private static List<Double> place(Vector3 position) {
+        return List.of(rounded(position.x()), rounded(position.y()));
     }
 
     private static double rounded(double value) {

@@ -13,6 +13,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.json.Json;
 import org.robonewbie.studio.board.EventBus;
 
 /**
@@ -92,10 +93,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
      * @param words the outcome
      */
     public synchronized void result(String id, String words) {
-        JsonObject result = new JsonObject();
-        result.addProperty("id", id);
-        result.addProperty("words", words);
-        results.add(result);
+        results.add(Json.object("id", id, "words", words));
         publishAll();
     }
 
@@ -111,25 +109,16 @@ public final class TrialWall extends EventBus implements AutoCloseable {
 
     @Override
     protected String known() {
-        JsonArray trials = new JsonArray();
-        running.values().forEach(trial -> trials.add(trial.facts()));
-        known.add("trials", trials);
+        known.add("trials", Json.array(running.values().stream().map(TrialPicture::facts)));
         return known.toString();
     }
 
     private synchronized void paint() {
         if (isWatched() && !running.isEmpty()) {
-            JsonArray moments = new JsonArray();
-            running.values().forEach(trial -> trial.moment().ifPresent(moments::add));
-            publishMoments(moments);
+            JsonArray moments =
+                    Json.array(running.values().stream().map(TrialPicture::moment).flatMap(Optional::stream));
+            publish(Json.object("kind", "moments", "moments", moments).toString());
         }
-    }
-
-    private void publishMoments(JsonArray moments) {
-        JsonObject news = new JsonObject();
-        news.addProperty("kind", "moments");
-        news.add("moments", moments);
-        publish(news.toString());
     }
 
     @Override

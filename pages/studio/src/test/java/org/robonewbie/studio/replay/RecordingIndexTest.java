@@ -3,6 +3,8 @@ package org.robonewbie.studio.replay;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -57,12 +59,16 @@ class RecordingIndexTest {
     }
 
     private static WorldSnapshot world(int cycle, Random random) {
+        return world(cycle, random, Rotation.NONE);
+    }
+
+    private static WorldSnapshot world(int cycle, Random random, Rotation tilt) {
         List<RobotSnapshot> robots = new ArrayList<>();
         for (int i = 0; i < ROBOTS; i++) {
             RobotType type = RobotType.TYPE_0;
             double[] degrees =
                     random.doubles(NaoModel.of(type).hinges().size(), -90, 90).toArray();
-            Pose torso = new Pose(new Vector3(i * 0.5 + cycle * 0.001, 1, 0.4), Rotation.NONE);
+            Pose torso = new Pose(new Vector3(i * 0.5 + cycle * 0.001, 1, 0.4), tilt);
             TeamSide side = i < 11 ? TeamSide.LEFT : TeamSide.RIGHT;
             robots.add(new RobotSnapshot(
                     i, side.name(), Optional.of(side), i % 11 + 1, BodyState.ofHinges(type, torso, degrees)));
@@ -92,6 +98,10 @@ class RecordingIndexTest {
         return index;
     }
 
+    private static int count(RecordingIndex index) {
+        return index.reading().summary().get("count").getAsInt();
+    }
+
     @Test
     void piecesTogetherAreTheWholeRecording() throws IOException {
         Path file = restlessMatch(true);
@@ -99,9 +109,9 @@ class RecordingIndexTest {
         List<String> whole = cyclesOf(unpacked(file), false);
 
         List<String> pieces = new ArrayList<>();
-        int[] starts = index.firstMoments();
-        for (int i = 0; i < starts.length; i++) {
-            assertThat(pieces).hasSize(starts[i]);
+        List<Integer> starts = index.reading().pieces();
+        for (int i = 0; i < starts.size(); i++) {
+            assertThat(pieces).hasSize(starts.get(i));
             pieces.addAll(cyclesOf(index.piece(file, i, 0), i > 0));
         }
 
@@ -124,17 +134,17 @@ class RecordingIndexTest {
     void indexIsKeptBesideALargeRecordingAndFitsOnlyThatOne() throws IOException {
         Path file = restlessMatch(true);
         byte[] recording = Files.readAllBytes(file);
-        RunSummary first = read(file).summary();
+        JsonObject first = read(file).reading().summary();
 
         RecordingIndex kept = RecordingIndex.open(file);
 
         assertThat(folder.resolve("match.index")).exists();
         assertThat(Files.readAllBytes(file)).as("the recording is unchanged").isEqualTo(recording);
-        assertThat(kept.isWhole()).isTrue();
-        assertThat(kept.summary()).isEqualTo(first);
+        assertThat(kept.reading().whole()).isTrue();
+        assertThat(kept.reading().summary()).isEqualTo(first);
         recording[recording.length - 6] ^= 1;
         Files.write(file, recording);
-        assertThat(RecordingIndex.open(file).isWhole()).isFalse();
+        assertThat(RecordingIndex.open(file).reading().whole()).isFalse();
     }
 
     @Test
@@ -144,25 +154,42 @@ class RecordingIndexTest {
         byte[] index = Files.readAllBytes(folder.resolve("match.index"));
         Files.write(folder.resolve("match.index"), Arrays.copyOf(index, index.length / 2));
 
-        assertThat(RecordingIndex.open(file).isWhole()).isFalse();
-        assertThat(read(file).summary().count()).isEqualTo(CYCLES);
+        assertThat(RecordingIndex.open(file).reading().whole()).isFalse();
+        assertThat(count(read(file))).isEqualTo(CYCLES);
     }
 
     @Test
     void summaryHasTeamsScoreEventsAndTrails() throws IOException {
-        RunSummary summary = read(restlessMatch(true)).summary();
+        JsonObject summary = read(restlessMatch(true)).reading().summary();
+        JsonArray ball = summary.remove("ball").getAsJsonArray();
+        JsonArray ways = summary.remove("ways").getAsJsonArray();
+        JsonArray rosters = summary.remove("rosters").getAsJsonArray();
 
-        assertThat(summary.count()).isEqualTo(CYCLES);
-        assertThat(summary.firstCycle()).isEqualTo(1);
-        assertThat(List.of(summary.left(), summary.right())).containsExactly("Stars", "Moons");
-        assertThat(summary.score()).containsExactly(1, 0);
-        assertThat(summary.robots()).isEqualTo(ROBOTS);
-        assertThat(summary.events()).containsExactly(new RunSummary.Event(699, "goal", "left Stars"));
-        assertThat(summary.ball()).hasSizeBetween(128, 256);
-        assertThat(summary.ball().get(0)).containsExactly(0.01, 0.0);
-        assertThat(summary.ways()).hasSize(ROBOTS);
-        assertThat(summary.ways().get(21).side()).isEqualTo(2);
-        assertThat(summary.rosters()).hasSize(1);
+        assertThat(summary)
+                .hasToString("{'count':1500,'firstCycle':1,'left':'Stars','right':'Moons','score':[1,0],'robots':22,"
+                        .concat("'pitch':[30.0,8.0],'events':[{'index':699,'kind':'goal','text':'left Stars'}],")
+                        .concat("'header':{'FieldLength':'30'}}")
+                        .replace('\'', '"'));
+        assertThat(ball).hasSizeBetween(128, 256);
+        assertThat(ball.get(0)).hasToString("[0.01,0.0]");
+        assertThat(ways).hasSize(ROBOTS);
+        assertThat(ways.get(21).getAsJsonObject().get("side").getAsInt()).isEqualTo(2);
+        assertThat(rosters).hasSize(1);
+    }
+
+    @Test
+    void robotThatFallsIsAnEvent() throws IOException {
+        Path file = folder.resolve("fall.rec");
+        try (RecordingWriter writer = RecordingWriter.open(RecordingFile.open(file, text -> {}), List.of())) {
+            for (int cycle = 1; cycle <= 5; cycle++) {
+                writer.write(world(cycle, new Random(5), Rotation.ofYawPitchRoll(0, 25 * cycle, 0)), List.of());
+            }
+        }
+
+        JsonArray events = read(file).reading().summary().getAsJsonArray("events");
+
+        assertThat(events).hasSize(ROBOTS);
+        assertThat(events.get(0)).hasToString("{\"index\":2,\"kind\":\"fall\",\"text\":\"LEFT 1\"}");
     }
 
     @Test
@@ -171,17 +198,17 @@ class RecordingIndexTest {
         byte[] bytes = Files.readAllBytes(whole);
         Path growing = Files.write(folder.resolve("now.rec.part"), Arrays.copyOf(bytes, bytes.length / 2));
         RecordingIndex index = read(growing);
-        int before = index.summary().count();
+        int before = count(index);
 
         Files.write(growing, bytes);
         assertThat(index.fits(growing)).isTrue();
         index.readOn(growing, 60_000);
 
         assertThat(before).isBetween(CYCLES / 3, 2 * CYCLES / 3);
-        assertThat(index.summary().count()).isGreaterThanOrEqualTo(CYCLES - 50);
-        int last = index.firstMoments().length - 1;
-        assertThat(cyclesOf(index.piece(growing, last, 0), true))
-                .hasSize(index.summary().count() - index.firstMoments()[last]);
+        assertThat(count(index)).isGreaterThanOrEqualTo(CYCLES - 50);
+        List<Integer> starts = index.reading().pieces();
+        int last = starts.size() - 1;
+        assertThat(cyclesOf(index.piece(growing, last, 0), true)).hasSize(count(index) - starts.get(last));
         assertThat(folder.resolve("now.index")).doesNotExist();
     }
 
@@ -197,9 +224,7 @@ class RecordingIndexTest {
         assertThatThrownBy(() -> read(file))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("not a recording of version 1");
-        assertThat(read(Files.writeString(folder.resolve("plain.rec"), "Hello"))
-                        .summary()
-                        .count())
+        assertThat(count(read(Files.writeString(folder.resolve("plain.rec"), "Hello"))))
                 .isZero();
     }
 
@@ -214,8 +239,8 @@ class RecordingIndexTest {
 
         RecordingIndex index = read(file);
 
-        assertThat(index.isWhole()).isTrue();
-        assertThat(index.summary().count()).isBetween(CYCLES / 4, CYCLES * 3 / 4);
+        assertThat(index.reading().whole()).isTrue();
+        assertThat(count(index)).isBetween(CYCLES / 4, CYCLES * 3 / 4);
     }
 
     private static byte[] unpacked(Path file) throws IOException {

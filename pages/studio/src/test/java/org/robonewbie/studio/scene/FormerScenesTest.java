@@ -17,7 +17,7 @@ class FormerScenesTest {
                 Path.of(Objects.requireNonNull(FormerScenesTest.class.getResource("/former-files/scenes"))
                         .toURI()));
 
-        Checkpoint moment = folder.load("empty-pitch");
+        Checkpoint moment = folder.read("empty-pitch").checkpoint().orElseThrow();
 
         assertThat(folder.names()).containsExactly("empty-pitch");
         assertThat(moment.state().robots()).isEmpty();

@@ -14,9 +14,6 @@ const MAX_BYTES_PER_MINUTE = 2_000_000;
 const MOMENTS_PER_MINUTE = 3000;
 const LETTERS_PER_BYTE = 4 / 3;
 
-/** Event kinds stored in recordings; the others are derived. */
-const KEPT_EVENTS = ['goal', 'foul', 'playmode'];
-
 /**
  * @param {RecordingFile} file
  * @param {Record<string, RobotModel>} models
@@ -64,7 +61,6 @@ export async function pageOf(file, models, section, progress) {
  */
 async function shortened({ run }, models, [from, to], every, progress) {
   const writer = new RecordingWriter(run.header, (type) => models[type].hinges.length);
-  const events = run.events.filter(({ kind }) => KEPT_EVENTS.includes(kind));
   let index = from;
   for await (const moments of run.all(from, to)) {
     for (const moment of moments) {
@@ -72,7 +68,7 @@ async function shortened({ run }, models, [from, to], every, progress) {
         const now = index;
         writer.write(
           moment,
-          events.filter((event) => event.index >= now && event.index < now + every),
+          run.events.filter((event) => event.index >= now && event.index < now + every),
         );
       }
       index++;

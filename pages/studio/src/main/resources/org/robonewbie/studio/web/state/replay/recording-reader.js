@@ -175,7 +175,7 @@ export class RecordingReader {
   /** @param {string} text */
   #event(text) {
     const [kind, ...words] = text.split(' ');
-    if (kind === 'goal' || kind === 'foul' || kind === 'playmode') {
+    if (kind === 'goal' || kind === 'foul' || kind === 'playmode' || kind === 'fall') {
       this.events.push({ index: this.moments.length, kind, text: words.join(' ') });
     }
   }
@@ -196,7 +196,8 @@ export class RecordingReader {
       numbers.set(track, at);
       at += sizes[i];
     });
-    const moment = {
+    this.areSpeedsNew = false;
+    this.moments.push({
       cycle,
       gameTime: this.ticks * CYCLE_SECONDS,
       game: this.game,
@@ -204,25 +205,7 @@ export class RecordingReader {
       speeds: this.speeds,
       things: this.things,
       numbers,
-    };
-    this.#noteFalls(moment);
-    this.areSpeedsNew = false;
-    this.moments.push(moment);
-  }
-
-  /** Records a fall of each robot whose torso has tilted beyond 60° since the previous moment. @param {Moment} moment */
-  #noteFalls(moment) {
-    const before = this.moments.at(-1);
-    if (before?.robots !== moment.robots) {
-      return;
-    }
-    let at = POSE_NUMBERS;
-    for (const { type, team, number } of moment.robots) {
-      if (upright(moment.numbers, at) < 0.5 && upright(before.numbers, at) >= 0.5) {
-        this.events.push({ index: this.moments.length, kind: 'fall', text: `${team} ${number}`.trim() });
-      }
-      at += POSE_NUMBERS + this.hingesOf(type);
-    }
+    });
   }
 }
 
@@ -239,11 +222,4 @@ function readTrack(track, content) {
   for (let i = 0; i < track.length; i++) {
     track[i] += content.signed();
   }
-}
-
-/** @param {Int32Array} numbers @param {number} at @returns {number} cosine of the torso's tilt */
-function upright(numbers, at) {
-  const [x, y] = [numbers[at + 4], numbers[at + 5]];
-  const square = [3, 4, 5, 6].reduce((sum, i) => sum + numbers[at + i] ** 2, 0) || 1;
-  return 1 - (2 * (x * x + y * y)) / square;
 }

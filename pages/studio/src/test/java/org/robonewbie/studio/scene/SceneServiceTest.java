@@ -4,17 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
@@ -23,27 +25,37 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RecordingReader;
-import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 
-class SceneRepositoryTest {
+class SceneServiceTest {
 
     private final SteppedSimulator world = SteppedSimulator.start(WorldSettings.beginner(), Console.silent());
-    private final Map<String, byte[]> kept = new HashMap<>();
-    private final SceneRepository repository = new SceneRepository(new SceneRepository.Keeper() {
+    private final Map<String, byte[]> kept = new TreeMap<>();
+    private final List<UndoableCommand> done = new ArrayList<>();
+    private final SceneService service = new SceneService(new Memory(), "a test", new StandingWorld(), done::add);
+
+    private final class Memory implements SceneStore {
 
         @Override
-        public void keep(String name, byte[] scene) {
-            kept.put(name, scene);
+        public List<String> names() {
+            return List.copyOf(kept.keySet());
         }
 
         @Override
-        public void forget(String name) {
+        public SavedScene read(String name) {
+            return SavedScene.of(Objects.requireNonNull(kept.get(name)));
+        }
+
+        @Override
+        public void write(String name, SavedScene scene) {
+            kept.put(name, scene.toBytes());
+        }
+
+        @Override
+        public void delete(String name) {
             kept.remove(name);
         }
-    });
-    private final List<UndoableCommand> done = new ArrayList<>();
-    private final SceneService service = new SceneService(repository, "a test", new StandingWorld(), done::add);
+    }
 
     private final class StandingWorld implements RestorableSimulation {
 
@@ -76,13 +88,10 @@ class SceneRepositoryTest {
     }
 
     @Test
-    void sceneIsRestoredExactlyFromTheBackingStore() throws IOException {
+    void sceneIsRestoredExactly() throws IOException {
         Vector3 before = world.snapshot(true, 1).ballPosition();
         ask("PUT", "Corner");
         world.order(new Order.MoveBall(Vector3.ZERO, Vector3.ZERO));
-
-        repository.clear();
-        kept.forEach(repository::take);
 
         assertThat(ask("POST", "Corner")).isEqualTo("{\"exact\":true,\"agents\":0}");
         assertThat(world.snapshot(true, 1).ballPosition()).isEqualTo(before);
@@ -90,20 +99,25 @@ class SceneRepositoryTest {
 
     @Test
     void stateOfAnotherVersionIsRestoredApproximately() throws IOException {
-        service.answer("PUT", "Corner", Optional.empty(), false);
+        ask("PUT", "Corner");
         byte[] scene = Objects.requireNonNull(kept.get("Corner"));
         int version = indexOf(scene, "RNSTATE") + "RNSTATE".length();
         scene[version]++;
-        repository.take("Corner", scene);
 
         assertThat(ask("POST", "Corner")).isEqualTo("{\"exact\":false,\"agents\":0}");
-        assertThat(repository.load("Corner").state().ballPosition().x()).isBetween(1.23, 1.24);
+        assertThat(SavedScene.of(scene)
+                        .checkpoint()
+                        .orElseThrow()
+                        .state()
+                        .ballPosition()
+                        .x())
+                .isBetween(1.23, 1.24);
     }
 
     @Test
     void deletedAndRenamedScenesComeBackByUndo() throws IOException {
         ask("PUT", "Corner");
-        service.answer("PUT", "Free kick", Optional.of("Corner"), false);
+        ask("PUT", "Free kick", "was", "Corner");
         ask("DELETE", "Free kick");
         assertThat(kept).isEmpty();
 
@@ -120,22 +134,65 @@ class SceneRepositoryTest {
     @Test
     void nameThatIsTakenAndSceneThatIsGoneOrDamagedAreRefused() throws IOException {
         ask("PUT", "Corner");
-        repository.take("Broken", new byte[] {1, 2, 3});
+        kept.put("Broken", new byte[] {1, 2, 3});
 
+        assertThatThrownBy(() -> ask("PUT", "corner"))
+                .hasMessage("There is already a scene named \"corner\". Choose another name.");
         assertThatThrownBy(() -> ask("PUT", "Corner"))
                 .hasMessage("There is already a scene named \"Corner\". Choose another name.");
         assertThatThrownBy(() -> ask("POST", "Kick"))
                 .hasMessage("The scene \"Kick\" no longer exists. Reload the page.");
         assertThatThrownBy(() -> ask("DELETE", "Kick"))
                 .hasMessage("The scene \"Kick\" no longer exists. Reload the page.");
+        assertThatThrownBy(() -> ask("PUT", "Free kick", "was", "Kick"))
+                .hasMessage("The scene \"Kick\" no longer exists. Reload the page.");
+        assertThatThrownBy(() -> ask("PUT", "../out"))
+                .hasMessageStartingWith("A scene cannot be named \"../out\". Use letters");
         assertThatThrownBy(() -> ask("POST", "Broken")).hasMessage("The scene \"Broken\" is damaged.");
     }
 
     @Test
+    void sceneIsReplacedOnRequestOnly() throws IOException {
+        ask("PUT", "Corner");
+        byte[] before = Objects.requireNonNull(kept.get("Corner"));
+        world.cycle();
+
+        ask("PUT", "Corner", "replace", "yes");
+
+        assertThat(kept.get("Corner")).isNotEqualTo(before);
+    }
+
+    @Test
+    void folderKeepsAScene(@TempDir Path folder) throws IOException {
+        SceneFolder store = new SceneFolder(folder.resolve("scenes"));
+        SavedScene scene = SavedScene.of(SoccerField.BEGINNER, world.snapshot(true, 1), Optional.of(world.save()));
+
+        store.write("Corner", scene);
+
+        assertThat(store.names()).containsExactly("Corner");
+        assertThat(store.read("Corner").toBytes()).isEqualTo(scene.toBytes());
+        store.write("Corner", new SavedScene(scene.recording(), new byte[0]));
+        assertThat(store.read("Corner").exact()).isEmpty();
+        store.delete("Corner");
+        assertThat(folder.resolve("scenes")).isEmptyDirectory();
+    }
+
+    @Test
+    void linkToAnotherPlaceIsNoScene(@TempDir Path folder) throws IOException {
+        Path secret = Files.writeString(folder.resolve("secret"), "hush");
+        SceneFolder store = new SceneFolder(Files.createDirectory(folder.resolve("scenes")));
+        Files.createSymbolicLink(store.folder().resolve("Corner.rec"), secret);
+
+        assertThat(store.names()).isEmpty();
+        assertThatThrownBy(() -> store.write("Corner", new SavedScene(new byte[0], new byte[0])))
+                .hasMessageStartingWith("The scene \"Corner\" is a link or folder in ");
+        assertThat(secret).hasContent("hush");
+    }
+
+    @Test
     void recordingWithoutTheMomentIsRefused() throws IOException {
-        ByteArrayOutputStream recorded = new ByteArrayOutputStream();
-        SceneRecording.write(new Target(recorded), SoccerField.BEGINNER, world.snapshot(true, 1));
-        byte[] bytes = recorded.toByteArray();
+        byte[] bytes = SavedScene.of(SoccerField.BEGINNER, world.snapshot(true, 1), Optional.empty())
+                .recording();
 
         assertThat(service.start(recording(bytes), 0, SceneService.ENDS_BEFORE))
                 .isEqualTo("{\"exact\":false,\"agents\":0}");
@@ -149,22 +206,8 @@ class SceneRepositoryTest {
         return RecordingReader.ofUnpacked(new ByteArrayInputStream(bytes), "This");
     }
 
-    private record Target(ByteArrayOutputStream content) implements RecordingTarget {
-
-        @Override
-        public void write(byte[] bytes, int length) {
-            content.write(bytes, 0, length);
-        }
-
-        @Override
-        public void flush() {}
-
-        @Override
-        public void close() {}
-    }
-
-    private String ask(String method, String name) throws IOException {
-        return service.answer(method, name, Optional.empty(), false);
+    private String ask(String method, String name, String... parameter) throws IOException {
+        return service.answer(method, List.of(name), each -> List.of(parameter).contains(each) ? parameter[1] : "");
     }
 
     private static int indexOf(byte[] bytes, String word) {

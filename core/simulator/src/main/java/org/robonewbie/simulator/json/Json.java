@@ -1,0 +1,62 @@
+package org.robonewbie.simulator.json;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import java.util.Collection;
+import java.util.stream.Stream;
+
+/**
+ * Builds JSON without reflection, which the web edition lacks. Values are texts, numbers, truth values, JSON elements, and collections of
+ * values.
+ *
+ * <pre>{@code
+ * Json.object("name", "Corner", "score", List.of(1, 0)) // {"name":"Corner","score":[1,0]}
+ * }</pre>
+ */
+public final class Json {
+
+    private Json() {}
+
+    /**
+     * Creates an object.
+     *
+     * @param members names and values by turns
+     * @return the object
+     * @throws ClassCastException if a value cannot be converted
+     */
+    public static JsonObject object(Object... members) {
+        JsonObject json = new JsonObject();
+        for (int i = 0; i < members.length; i += 2) {
+            json.add((String) members[i], element(members[i + 1]));
+        }
+        return json;
+    }
+
+    /**
+     * Creates an array.
+     *
+     * @param values the elements
+     * @return the array
+     * @throws ClassCastException if a value cannot be converted
+     */
+    public static JsonArray array(Stream<?> values) {
+        JsonArray json = new JsonArray();
+        values.map(Json::element).forEach(json::add);
+        return json;
+    }
+
+    private static JsonElement element(Object value) {
+        if (value instanceof JsonElement json) {
+            return json;
+        }
+        if (value instanceof Collection<?> values) {
+            return array(values.stream());
+        }
+        if (value instanceof Number number) {
+            return new JsonPrimitive(number);
+        }
+        return value instanceof Boolean truth ? new JsonPrimitive(truth) : new JsonPrimitive((String) value);
+    }
+}

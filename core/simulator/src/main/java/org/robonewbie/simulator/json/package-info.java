@@ -1,0 +1,3 @@
+/** Construction of JSON. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.simulator.json;

@@ -1,0 +1,55 @@
+package org.robonewbie.web;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
+import org.robonewbie.studio.service.PageService;
+
+/**
+ * A request from the page's scripts to a service.
+ *
+ * @param json method, path and parameters of the request, and what the browser has stored
+ */
+record ServiceRequest(JsonObject json) {
+
+    static ServiceRequest parse(String text) {
+        return new ServiceRequest(JsonParser.parseString(text).getAsJsonObject());
+    }
+
+    /** An action that may be refused. */
+    interface Action {
+        String run() throws IOException;
+    }
+
+    /** Returns the result of an action, or a sentence if it is refused. */
+    static String attempt(Action action) {
+        try {
+            return action.run();
+        } catch (IllegalArgumentException | IllegalStateException | IOException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
+    /** Asks a service; returns JSON, or a sentence if the request is refused. */
+    String answer(PageService service) {
+        JsonObject parameters = json.getAsJsonObject("parameters");
+        return attempt(() -> service.answer(
+                json.get("method").getAsString(),
+                texts("path"),
+                name -> parameters.has(name) ? parameters.get(name).getAsString() : ""));
+    }
+
+    /** Returns the texts of an array. */
+    List<String> texts(String name) {
+        return elements(name).map(JsonElement::getAsString).toList();
+    }
+
+    /** Returns the elements of an array. */
+    Stream<JsonElement> elements(String name) {
+        return StreamSupport.stream(json.getAsJsonArray(name).spliterator(), false);
+    }
+}
