@@ -93,7 +93,7 @@ class AssignmentPanel {
     this.#name.addEventListener('change', () => storage().set(NAME, this.#name.value.trim()));
     this.#link.hidden = true;
     const others = assignment.exercises.map((name) => `[data-exercise='${name}']`).join(', ');
-    const style = `#class-choice, .lessons button:not(${others || '*'}) { display: none; }`;
+    const style = `#class-choice, .standings, .lessons button:not(${others || '*'}) { display: none; }`;
     this.element.append(element('style', {}, style));
     byId('course-trials').append(...this.#trials());
     /** @type {HTMLSelectElement} */ (byId('course-trials')).value = String(assignment.seeds);
