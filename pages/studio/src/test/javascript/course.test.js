@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
+  checkText,
   hints,
   progressText,
   trialText,
@@ -34,6 +35,14 @@ test('progress names the running trial and the results of all', () => {
     'Passed: 10.0 of 10 points',
   );
   assert.equal(progressText({ ...attempt, state: 'NONE' }), '');
+});
+
+test('the state of a check names the program', () => {
+  assert.equal(checkText({ ...attempt, program: 'src/main/java/Kick.java' }), 'Kick is being checked…');
+  assert.equal(checkText({ ...attempt, state: 'OVER', passed: true }), 'Kick has passed.');
+  assert.equal(checkText({ ...attempt, state: 'OVER', passed: false }), 'Kick has not passed.');
+  assert.equal(checkText({ ...attempt, state: 'NONE' }), '');
+  assert.equal(checkText({ ...attempt, program: '' }), '');
 });
 
 test('the user’s own agent gets a command to join', () => {

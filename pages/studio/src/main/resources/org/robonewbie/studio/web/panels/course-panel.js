@@ -5,6 +5,7 @@ import { ClassLink } from './class-link.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
 import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
+import { offerRoom } from './rooms.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
@@ -76,8 +77,7 @@ export class CoursePanel {
 
   async #open() {
     await this.#refresh();
-    const link = document.querySelector(`#rooms a[href='${PLACE}']`);
-    link?.toggleAttribute('hidden', this.#lessons.length === 0);
+    offerRoom(PLACE, this.#lessons.length > 0);
     this.#choose(undefined);
     this.#show();
   }
@@ -131,7 +131,7 @@ export class CoursePanel {
   }
 
   async #refresh() {
-    const { language, lessons, programs, standings } = await this.#ask('course');
+    const { language, lessons, programs, acceptsAgents, standings } = await this.#ask('course');
     this.#language.value = language;
     this.#lessons = lessons;
     this.#classLink.show(lessons);
@@ -146,14 +146,21 @@ export class CoursePanel {
       await this.#help.show(lesson.name);
       const { program, write } = this.#parts;
       const before = program.value;
-      setEntries(program, [
-        ...programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name])),
-        ['', 'An agent that I start myself'],
-      ]);
+      const entries = programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name]));
+      setEntries(program, acceptsAgents ? [...entries, ['', 'An agent that I start myself']] : entries);
+      this.#offerStart(program.options.length > 0);
       program.value = likelyProgram(lesson, programs) || (programs.includes(before) ? before : '');
       setText(write, `Create ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
     }
+  }
+
+  /** @param {boolean} isPossible whether there is a program to start */
+  #offerStart(isPossible) {
+    const { program, trials, start } = this.#parts;
+    [program, trials, start].forEach((each) => {
+      each.hidden = !isPossible;
+    });
   }
 
   async #write() {

@@ -53,6 +53,15 @@ export function progressText(attempt) {
   return `${attempt.passed ? 'Passed' : 'Not yet passed'}: ${attempt.points.toFixed(1)} of 10 points`;
 }
 
+/** @param {Attempt} attempt @returns {string} the state of its program; empty without an attempt */
+export function checkText({ state, program, passed }) {
+  const name = program?.replace(/^.*\//, '').replace(/\.java$/, '');
+  if (state === 'NONE' || !name) {
+    return '';
+  }
+  return state === 'OVER' ? `${name} has ${passed ? '' : 'not '}passed.` : `${name} is being checked…`;
+}
+
 /** @param {Judged} trial */
 export function trialText({ seed, passed, points, finding }) {
   return `${passed ? '✓' : '✗'} Seed ${seed}: ${points} points, ${finding}`;
