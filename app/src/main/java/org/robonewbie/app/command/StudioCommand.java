@@ -5,11 +5,8 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.studio.LocalCourseHost;
+import org.robonewbie.app.studio.LocalStudio;
 import org.robonewbie.app.studio.OpenedFile;
-import org.robonewbie.app.studio.ProcessCompilerService;
-import org.robonewbie.exercises.progress.ProgressService;
-import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
@@ -20,9 +17,7 @@ import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
-import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.StudioServer;
-import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 import org.robonewbie.studio.roboviz.RoboVizPort;
 import picocli.CommandLine.Command;
@@ -105,15 +100,9 @@ final class StudioCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
-        ShownSimulation shown = new ShownSimulation(simulation);
-        LocalCourseHost host = new LocalCourseHost(opened.programs(), simulation, shown);
-        CourseService course = new CourseService(ProgressService.ofUser(), host, System.getProperty("user.name", ""));
-        course.setLanguage(language.language().code());
-        Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs());
-        Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
-        StudioServer view = StudioViewer.open(shown, port, opened.folders(), course::answer, workshop);
-        URI address = URI.create(view.oneTimeAddress() + opened.place());
+        StudioServer view = LocalStudio.open(simulation, port, opened, language.language(), Optional.empty());
+        String place = monitor.isPresent() && file.isEmpty() ? "#field" : opened.place();
+        URI address = URI.create(view.oneTimeAddress() + place);
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
         System.out.println(monitor.map(server -> "Watching the server at " + server + ". Press Control-C to stop.")
@@ -123,7 +112,7 @@ final class StudioCommand implements Callable<Integer> {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
             System.out.println("Showing RoboViz drawings from UDP port " + drawings.number() + ".");
         }
-        show(view, opened.place());
+        show(view, place);
         Thread.currentThread().join();
         return ExitCode.OK;
     }
@@ -142,7 +131,7 @@ final class StudioCommand implements Callable<Integer> {
         if (withoutBrowser) {
             return;
         }
-        if (file.isPresent()) {
+        if (!place.isEmpty()) {
             Browser.open(URI.create(view.oneTimeAddress() + place), Console.standard());
         } else {
             Browser.openUnlessWatched(view, Console.standard());

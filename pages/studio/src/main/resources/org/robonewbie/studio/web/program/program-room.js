@@ -6,7 +6,7 @@ import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseController } from './exercise-controller.js';
 import { FileController } from './file-controller.js';
-import { note } from './note.js';
+import { FirstMinute } from './first-minute.js';
 import { ProgramService } from './program-service.js';
 import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
@@ -17,8 +17,8 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} clearErrors dismisses the errors shown on top of the 3D view
  * @property {() => void} goLive
  * @property {(command: object) => void} send
- * @property {(panel: import('../state/layout.js').PanelName) => void} fold
  * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
+ * @property {() => boolean} isPitchEmpty whether the pitch has no robots and takes puppets
  */
 
 const CHECK_MILLISECONDS = 300;
@@ -38,8 +38,8 @@ class ProgramRoom {
   constructor(surroundings) {
     this.surroundings = surroundings;
     this.service = new ProgramService();
-    const code = sidePanel('program', 'code', surroundings.fold);
-    const said = sidePanel('program', 'said', surroundings.fold);
+    const code = sidePanel('program', 'code');
+    const said = sidePanel('program', 'said');
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
@@ -56,21 +56,17 @@ class ProgramRoom {
     this.files = new FileController(this);
     this.runs = new RunController(this);
     this.exercises = new ExerciseController(this);
+    this.firstMinute = new FirstMinute(this);
   }
 
   async open() {
     const list = await this.service.list();
     if (!list.open) {
-      this.notes.replaceChildren(
-        note(
-          'This studio belongs to an agent that was started separately. To write programs beside the robot, stop the agent (Ctrl+C) and run ' +
-            './robonewbie studio MyAgent.java with the name of your file, or without a file name for a new program.',
-        ),
-      );
       return;
     }
     await this.exercises.open();
     await this.files.open(list);
+    await this.firstMinute.open();
     await this.#followAddress();
     addEventListener('hashchange', () => this.attempt(() => this.#followAddress()));
     await this.runs.look();
@@ -120,6 +116,7 @@ class ProgramRoom {
   /** Called when another file is shown. */
   opened() {
     this.exercises.draw();
+    this.firstMinute.opened();
     this.runs.forgetMistakes();
     this.attempt(() => this.check());
   }
@@ -161,6 +158,7 @@ class ProgramRoom {
   #changed() {
     this.files.changed();
     this.runs.edited();
+    this.firstMinute.draw();
     clearTimeout(this.#checkTimer);
     this.#checkTimer = window.setTimeout(() => this.attempt(() => this.check()), CHECK_MILLISECONDS);
   }

@@ -75,7 +75,7 @@ export class RunController {
   /** Saves the program and runs it. */
   async run() {
     await copyExample(this.room.files);
-    if (await this.room.files.save()) {
+    if (!(await this.room.firstMinute.run()) && (await this.room.files.save())) {
       await this.#start(isUnderWay(this.now) ? this.#chosenWorld : 'fresh');
     }
   }
@@ -187,8 +187,9 @@ export class RunController {
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
     this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
-    const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
-    this.#showState(runText(this.now), isTrouble ? 'trouble' : '');
+    const { status } = this.room.exercises;
+    const isTrouble = status === '' && this.now.state === 'ENDED' && this.now.exitCode !== 0;
+    this.#showState(status || runText(this.now), isTrouble ? 'trouble' : '');
   }
 
   /** @param {string} text @param {string} tone */
