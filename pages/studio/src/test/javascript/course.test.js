@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
+  byLevel,
   checkText,
   hints,
   progressText,
@@ -25,6 +26,16 @@ const attempt = {
   passed: false,
   output: '',
 };
+
+test('exercises are listed by level, each level in the order of the course', () => {
+  const levels = ['first steps', 'basics', 'challenge', 'first steps', 'basics'];
+  const lessons = levels.map((level, i) => /** @type {any} */ ({ number: i + 1, level }));
+
+  assert.deepEqual(
+    byLevel(lessons).map(({ number }) => number),
+    [1, 4, 2, 5, 3],
+  );
+});
 
 test('progress names the running trial and the results of all', () => {
   assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being graded.');

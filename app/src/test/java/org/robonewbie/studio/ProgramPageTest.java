@@ -5,26 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.studio.LocalCourseHost;
-import org.robonewbie.app.studio.ProcessCompilerService;
-import org.robonewbie.exercises.progress.LocalProgress;
-import org.robonewbie.exercises.progress.ProgressService;
-import org.robonewbie.exercises.progress.SolutionRepository;
-import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.tcp.TelemetryServer;
-import org.robonewbie.simulator.cycle.WorldSettings;
-import org.robonewbie.simulator.server.Simulator;
-import org.robonewbie.simulator.server.SimulatorSettings;
 
 /** A student writes a program beside the robot, runs it, changes it, makes mistakes, and solves an exercise. */
 @InBrowser
@@ -58,11 +47,7 @@ class ProgramPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private Simulator simulator;
-    private ProcessCompilerService workshop;
-    private CourseService course;
-    private TelemetryServer telemetry;
-    private StudioServer studio;
+    private ProgrammingStudio studio;
 
     ProgramPageTest(Chromium browser) {
         this.browser = browser;
@@ -70,33 +55,16 @@ class ProgramPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        simulator = Simulator.start(
-                SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
-                        .withAgentPort(0)
-                        .withAwaitedAgents(1),
-                sentence -> {});
-        ShownSimulation shown = new ShownSimulation(simulator.control());
-        workshop = new ProcessCompilerService(folder);
-        course = new CourseService(
-                new ProgressService(new LocalProgress(Optional.empty()), SolutionRepository.NONE),
-                new LocalCourseHost(folder, simulator.control(), shown),
-                "");
-        StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, workshop);
-        telemetry = TelemetryServer.open(TelemetryServer.portFor(simulator.agentPort()), studio.telemetry());
+        studio = new ProgrammingStudio(folder);
     }
 
     @AfterEach
     void close() {
         studio.close();
-        workshop.close();
-        course.close();
-        telemetry.close();
-        simulator.close();
     }
 
     private void visit() {
-        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#program");
+        browser.visit(studio.address() + "&theme=light&quality=lowest#program");
         browser.await("studio.rooms.program?.files?.file !== undefined");
     }
 
@@ -137,7 +105,7 @@ class ProgramPageTest {
         browser.drawSharply();
         for (String theme : new String[] {"light", "dark"}) {
             browser.resize(1366, 768);
-            browser.visit(studio.oneTimeAddress() + "&quality=high&theme=" + theme + "#program");
+            browser.visit(studio.address() + "&quality=high&theme=" + theme + "#program");
             browser.await("studio.rooms.program?.files?.file !== undefined");
             write(RAISE.replace("DEGREES", "60").replace("double angle", "nao.plot(\"x\", 3);\n        double angle"));
             if (theme.equals("light")) {
@@ -337,7 +305,7 @@ class ProgramPageTest {
 
     @Test
     void panelOfExercisesLeadsToTheProgramBesideTheRobot() {
-        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#field/exercises");
+        browser.visit(studio.address() + "&theme=light&quality=lowest#field/exercises");
         browser.await("document.querySelector('[data-exercise=raise-arms]')");
         browser.click("[data-exercise=raise-arms]");
         browser.await("document.querySelector('#course-here').checkVisibility()");

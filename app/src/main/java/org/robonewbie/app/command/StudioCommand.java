@@ -101,7 +101,8 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         StudioServer view = LocalStudio.open(simulation, port, opened, language.language(), Optional.empty());
-        URI address = URI.create(view.oneTimeAddress() + opened.place());
+        String place = monitor.isPresent() && file.isEmpty() ? "#field" : opened.place();
+        URI address = URI.create(view.oneTimeAddress() + place);
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
         System.out.println(monitor.map(server -> "Watching the server at " + server + ". Press Control-C to stop.")
@@ -111,7 +112,7 @@ final class StudioCommand implements Callable<Integer> {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
             System.out.println("Showing RoboViz drawings from UDP port " + drawings.number() + ".");
         }
-        show(view, opened.place());
+        show(view, place);
         Thread.currentThread().join();
         return ExitCode.OK;
     }
@@ -130,7 +131,7 @@ final class StudioCommand implements Callable<Integer> {
         if (withoutBrowser) {
             return;
         }
-        if (file.isPresent()) {
+        if (!place.isEmpty()) {
             Browser.open(URI.create(view.oneTimeAddress() + place), Console.standard());
         } else {
             Browser.openUnlessWatched(view, Console.standard());

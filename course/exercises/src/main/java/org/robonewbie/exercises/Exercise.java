@@ -60,12 +60,16 @@ public record Exercise(
      * @return source of a Java file with the class {@link #className}
      */
     public String startCode() {
-        String file = "start/" + className + ".java.txt";
+        return text("start/" + className + ".java.txt");
+    }
+
+    /** Reads a resource file in UTF-8. */
+    static String text(String file) {
         try (InputStream stream =
-                Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no starter code " + file)) {
+                Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no file " + file)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException unreadable) {
-            throw new UncheckedIOException("The starter code " + file + " cannot be read.", unreadable);
+            throw new UncheckedIOException("The file " + file + " cannot be read.", unreadable);
         }
     }
 }

@@ -22,7 +22,11 @@ final class StartCodes {
     private StartCodes() {}
 
     static Supplier<Agent> of(Exercise exercise) {
-        Class<?> type = compile(exercise);
+        return of(exercise, exercise.startCode());
+    }
+
+    static Supplier<Agent> of(Exercise exercise, String text) {
+        Class<?> type = compile(exercise.className(), text);
         return () -> {
             try {
                 return (Agent) type.getConstructor().newInstance();
@@ -32,10 +36,10 @@ final class StartCodes {
         };
     }
 
-    private static Class<?> compile(Exercise exercise) {
+    private static Class<?> compile(String className, String text) {
         try {
             Path folder = Files.createTempDirectory("start");
-            Path file = Files.writeString(folder.resolve(exercise.className() + ".java"), exercise.startCode());
+            Path file = Files.writeString(folder.resolve(className + ".java"), text);
             StringWriter mistakes = new StringWriter();
             var compiler = ToolProvider.getSystemJavaCompiler();
             try (var disk = compiler.getStandardFileManager(null, null, null)) {
@@ -47,7 +51,7 @@ final class StartCodes {
                     throw new AssertionError(mistakes.toString());
                 }
             }
-            return new URLClassLoader(new URL[] {folder.toUri().toURL()}).loadClass(exercise.className());
+            return new URLClassLoader(new URL[] {folder.toUri().toURL()}).loadClass(className);
         } catch (IOException unwritable) {
             throw new UncheckedIOException(unwritable);
         } catch (ClassNotFoundException none) {

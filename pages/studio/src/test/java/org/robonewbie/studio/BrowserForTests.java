@@ -12,11 +12,17 @@ import org.junit.jupiter.api.extension.ParameterResolver;
 /** JUnit extension of {@link InBrowser}: one browser for all classes with a new page for each, closed after the last class. */
 final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCallback, ParameterResolver {
 
+    private static final String SKIP_FIRST_MINUTE =
+            "try { localStorage.setItem('robonewbie-first-minute-skipped', 'true'); } catch { /* no storage */ }";
+
     @Override
     public void beforeAll(ExtensionContext context) {
         Tool.BROWSER.orSkip();
         InBrowser wanted = context.getRequiredTestClass().getAnnotation(InBrowser.class);
         browser(context).openPage(wanted.width(), wanted.height());
+        if (!wanted.newcomer()) {
+            browser(context).runBeforePages(SKIP_FIRST_MINUTE);
+        }
         browser(context).drawCoarsely();
     }
 

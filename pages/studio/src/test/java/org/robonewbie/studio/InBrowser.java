@@ -21,4 +21,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 
     /** Height of the page in pixels. */
     int height() default 768;
+
+    /** Whether the user has not yet skipped the levels of the first minute. */
+    boolean newcomer() default false;
 }

@@ -124,15 +124,15 @@ class WorkspacePageTest {
     }
 
     @Test
-    void toolsOverThePictureAreFolded() {
+    void toolsOverThePictureAreFoldedUntilTheyAreNeeded() {
         open("#field");
-        browser.await("document.querySelector('#trainer').checkVisibility()");
+        browser.await("!document.querySelector('#trainer').checkVisibility()"
+                + " && document.querySelector('#side-fold').ariaExpanded === 'false'");
 
         browser.click("#side-fold");
 
-        browser.await("!document.querySelector('#trainer').checkVisibility()"
-                + " && document.querySelector('#side-fold').ariaExpanded === 'false'");
+        browser.await("document.querySelector('#trainer').checkVisibility()");
         open("#field");
-        browser.await("!document.querySelector('#trainer').checkVisibility()");
+        browser.await("document.querySelector('#trainer').checkVisibility()");
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.FirstMinute;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Language;
@@ -26,7 +27,7 @@ import org.robonewbie.exercises.progress.Worksheet;
  * Serves exercises to the pages of the studio and the web edition. Responses are JSON. Thread-safe.
  *
  * <pre>
- * GET                               the exercises, the student's programs and progress
+ * GET                               the exercises, the first minute, the student's programs and progress
  * POST   language?code=de           sets the language
  * GET    attempt                    status of the current attempt
  * DELETE attempt                    ends the attempt
@@ -120,6 +121,7 @@ public final class CourseService implements AutoCloseable {
 
     private static Exercise find(String name) {
         return Exercises.find(name)
+                .or(() -> FirstMinute.find(name))
                 .orElseThrow(() ->
                         new IllegalArgumentException("There is no exercise named \"" + name + "\". Reload the page."));
     }
@@ -148,6 +150,7 @@ public final class CourseService implements AutoCloseable {
         json.add("programs", array(host.programs()));
         json.addProperty("acceptsAgents", host.acceptsAgents());
         json.add("standings", standings);
+        json.add("firstMinute", new FirstMinuteWriter(language, reached).json());
         return json;
     }
 
@@ -171,7 +174,7 @@ public final class CourseService implements AutoCloseable {
         return json;
     }
 
-    private static String file(Exercise exercise) {
+    static String file(Exercise exercise) {
         return exercise.className() + ".java";
     }
 

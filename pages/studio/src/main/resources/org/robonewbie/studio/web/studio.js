@@ -21,6 +21,7 @@ import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
 import { timeLineActions, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
+import { welcomeNewcomer } from './panels/welcome.js';
 import { Workspace } from './panels/workspace.js';
 import { ProgramService } from './program/program-service.js';
 import { matchEventText } from './state/match-events.js';
@@ -80,6 +81,7 @@ export class Studio {
     }, LOOK_MILLISECONDS);
     this.connection.open();
     this.#offerPrograms();
+    welcomeNewcomer().catch((error) => this.note(error.message));
     requestAnimationFrame(this.#turn);
   }
 
@@ -173,13 +175,12 @@ export class Studio {
       camera: () => this.camera,
       hasClock: () => this.state.scene?.clock !== false,
       robots: () => this.session.shown.scene?.robots ?? [],
+      isPitchEmpty: () => this.state.scene?.puppets === true && this.state.scene.robots.length === 0,
       goTo: (seconds) => this.session.travel((cursor) => cursor.goTo(seconds * CYCLES_PER_SECOND)),
     });
   }
 
   #build() {
-    const shadows = this.options.get('shadows') === 'on';
-    const setShadows = this.#withRedraw((/** @type {boolean} */ on) => this.view.setShadows(on));
     const puppet = new PuppetPanel({
       now: () => this.state,
       chosen: () => this.camera.chosen,
@@ -192,8 +193,7 @@ export class Studio {
       transportPanel(this.time),
       cameraPanel(this.camera, {
         choose: this.field.chooseCamera,
-        shadows,
-        setShadows,
+        view: this.view,
         show: this.field.showBeside,
       }),
       trainerPanel(this.send),
@@ -206,7 +206,10 @@ export class Studio {
     this.diagnostics = new DiagnosticsList(this.#lookInside);
     this.puppet = puppet;
     this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
-    setShadows(shadows);
+    const shadows = this.options.get('shadows');
+    if (shadows) {
+      this.view.setShadows(shadows === 'on');
+    }
   }
 
   #listen() {

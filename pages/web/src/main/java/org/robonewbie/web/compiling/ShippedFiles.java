@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.FirstMinute;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.teavm.extension.spi.resources.ResourcesPolicy;
@@ -21,9 +22,12 @@ public final class ShippedFiles implements ResourcesPolicy {
         Stream<String> translations = Stream.of("hints-de.txt", "findings-de.txt");
         Stream<String> exercises =
                 Stream.concat(translations, Exercises.all().stream().flatMap(ShippedFiles::filesOf));
+        Stream<String> levels = FirstMinute.levels().stream()
+                .map(level -> level.className() + ".java.txt")
+                .flatMap(file -> Stream.of("start/" + file, "start/solved/" + file));
         return Stream.concat(
                         Stream.concat(Stream.of("index"), motions).map(file -> "motions/" + file),
-                        exercises.map(file -> "org/robonewbie/exercises/" + file))
+                        Stream.concat(exercises, levels).map(file -> "org/robonewbie/exercises/" + file))
                 .toArray(String[]::new);
     }
 

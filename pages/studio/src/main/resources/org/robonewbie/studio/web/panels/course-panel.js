@@ -1,6 +1,7 @@
 /** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
 import { ask } from '../live/server.js';
-import { hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import { byLevel, hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import { ClassLink } from './class-link.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
 import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
@@ -40,6 +41,7 @@ export class CoursePanel {
     (code) => this.#attemptTo(() => this.#speak(code)),
   );
   #standings = new CourseStandings();
+  #classLink = new ClassLink();
   /** @type {ReturnType<typeof parts>} */
   #parts;
 
@@ -61,7 +63,7 @@ export class CoursePanel {
     this.#parts = parts(this.#help.element, ghost.label);
     const { back, here, write, start, stop, list, detail } = this.#parts;
     const head = element('div', { class: 'course-head' }, element('h2', {}, 'Exercises'), this.#language);
-    byId('course').append(head, this.#standings.element, list, detail);
+    byId('course').append(head, this.#standings.element, list, detail, this.#classLink.element);
     back.addEventListener('click', () => this.#choose(undefined));
     here.addEventListener('click', () => {
       location.hash = `#program/${this.#chosen?.name ?? ''}`;
@@ -106,6 +108,7 @@ export class CoursePanel {
     list.hidden = lesson !== undefined;
     detail.hidden = lesson === undefined;
     this.#standings.element.hidden = lesson !== undefined;
+    this.#classLink.element.hidden = lesson !== undefined;
     if (lesson) {
       this.#describe(lesson);
       this.#attemptTo(() => this.#refresh());
@@ -130,7 +133,8 @@ export class CoursePanel {
   async #refresh() {
     const { language, lessons, programs, acceptsAgents, standings } = await this.#ask('course');
     this.#language.value = language;
-    this.#lessons = lessons;
+    this.#lessons = byLevel(lessons);
+    this.#classLink.show(this.#lessons);
     this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
     if (standings) {
       this.#standings.show(standings);

@@ -38,7 +38,7 @@ const PROGRAM_MOUSE = [
 ];
 
 const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];
-const PROGRAM_STYLES = ['program.css'];
+const PROGRAM_STYLES = ['program.css', 'first-minute.css'];
 const ROBOT_STYLES = ['vendor/uplot/uplot.min.css', 'robot.css', 'robot-sheets.css'];
 
 export class RoomController {
@@ -53,6 +53,7 @@ export class RoomController {
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera returns the field's camera
    * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots returns the robots now on the pitch
+   * @param {() => boolean} surroundings.isPitchEmpty whether the pitch has no robots and takes puppets
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -91,7 +92,7 @@ export class RoomController {
         program: () => this.#openProgram(),
       }[room]();
     } catch (error) {
-      this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
+      this.surroundings.note(`This room cannot be opened: ${/** @type {Error} */ (error).message}`);
     }
     this.opening.delete(room);
   }

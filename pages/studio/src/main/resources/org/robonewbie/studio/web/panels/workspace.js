@@ -13,9 +13,6 @@ const KEY = 'robonewbie-tools';
 const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const MIN_HIDDEN_PIXELS = 12;
 
-/** In a narrower window the tools would cover the 3D view. */
-const WIDE_PIXELS = 900;
-
 /** Panels without which a room is none. @type {PanelName[]} */
 const FIXED = ['picture', 'code'];
 
@@ -27,7 +24,7 @@ export class Workspace {
   /** The robot shown by both the 3D view and the panels. */
   #robot = 0;
   /** Whether the tools are expanded, by room. @type {Record<string, boolean>} */
-  #tools = { field: innerWidth > WIDE_PIXELS, replay: innerWidth > WIDE_PIXELS, ...recall(KEY, {}) };
+  #tools = recall(KEY, {});
 
   /** @param {(room: 'robot' | 'program') => Promise<void> | void} openPanels creates the panels on first use */
   constructor(openPanels) {

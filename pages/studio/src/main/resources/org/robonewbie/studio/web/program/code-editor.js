@@ -32,6 +32,7 @@ import {
 import { element } from '../panels/elements.js';
 import { rangeOf } from '../state/program/remarks.js';
 import { LOOK } from './editor-look.js';
+import { GHOST_TEXT } from './ghost-text.js';
 import { SAID_LINES, showMessages, showValues } from './said-lines.js';
 
 /**
@@ -168,6 +169,7 @@ export class CodeEditor {
       { key: 'Shift-Alt-f', run: act(() => this.indentAll()) },
     ];
     return [
+      GHOST_TEXT,
       ...[lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection()],
       ...[history(), indentOnInput(), bracketMatching(), closeBrackets(), highlightSelectionMatches()],
       ...[search({ top: true }), java(), indentUnit.of('    '), EditorState.tabSize.of(4)],
@@ -180,7 +182,10 @@ export class CodeEditor {
         ...searchKeymap,
         ...historyKeymap,
       ]),
-      EditorView.contentAttributes.of({ 'aria-label': 'Program. Press Escape, then Tab, to leave the editor.' }),
+      EditorView.contentAttributes.of({
+        tabindex: '0',
+        'aria-label': 'Program. Press Escape, then Tab, to leave the editor.',
+      }),
       EditorView.updateListener.of((update) => update.docChanged && changed()),
       ...[LOOK, SAID_LINES],
     ];

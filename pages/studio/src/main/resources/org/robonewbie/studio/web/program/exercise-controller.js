@@ -70,21 +70,21 @@ export class ExerciseController {
       return;
     }
     const judge = button('Check', 'Saves the program and grades it', () => {
-      this.room.attempt(() => this.#check(lesson));
+      this.room.attempt(() => this.check(lesson, TRIALS));
     });
     judge.id = 'program-check';
     const sheet = element('a', { href: lesson.worksheet, target: 'robonewbie-docs' }, 'Worksheet');
     this.place.replaceChildren(note(`Exercise ${lesson.number}: ${lesson.goal}`, sheet, judge));
   }
 
-  /** @param {Lesson} lesson */
-  async #check(lesson) {
+  /** Saves and grades the program. @param {{name: string}} lesson @param {number} trials */
+  async check({ name }, trials) {
     if (!(await this.room.files.save())) {
       return;
     }
     await this.room.runs.stop();
     this.room.runs.forgetMistakes();
-    this.#show(await this.service.attempt(lesson.name, this.room.files.file.path, TRIALS));
+    this.#show(await this.service.attempt(name, this.room.files.file.path, trials));
     this.room.surroundings.goLive();
     this.#watch();
   }
@@ -116,7 +116,7 @@ export class ExerciseController {
   /** @param {Attempt} attempt */
   #show(attempt) {
     this.#isShown = attempt.state !== 'NONE';
-    this.verdict.hidden = !this.#isShown;
+    this.verdict.hidden = this.room.firstMinute.receive(attempt) || !this.#isShown;
     this.status = checkText(attempt);
     this.#speedUp(attempt);
     this.room.runs.draw();

@@ -112,6 +112,19 @@ export class FileController {
     }
   }
 
+  /** Opens a program, which starts with the given text if it is new. @param {string} path @param {string} text */
+  async begin(path, text) {
+    if (this.isAtRisk && !(await this.drafts.keep())) {
+      return;
+    }
+    await this.refresh();
+    if ([...this.list.own, ...this.list.drafts].some((each) => each.path === path)) {
+      await this.openOwn(path);
+    } else {
+      this.#show(opened('own', path, newText(text)), '');
+    }
+  }
+
   /** Saves the program. @returns {Promise<boolean>} whether it succeeded */
   async save() {
     const { file } = this;

@@ -6,6 +6,7 @@ import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseController } from './exercise-controller.js';
 import { FileController } from './file-controller.js';
+import { FirstMinute } from './first-minute.js';
 import { ProgramService } from './program-service.js';
 import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
@@ -17,6 +18,7 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} goLive
  * @property {(command: object) => void} send
  * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
+ * @property {() => boolean} isPitchEmpty whether the pitch has no robots and takes puppets
  */
 
 const CHECK_MILLISECONDS = 300;
@@ -54,6 +56,7 @@ class ProgramRoom {
     this.files = new FileController(this);
     this.runs = new RunController(this);
     this.exercises = new ExerciseController(this);
+    this.firstMinute = new FirstMinute(this);
   }
 
   async open() {
@@ -63,6 +66,7 @@ class ProgramRoom {
     }
     await this.exercises.open();
     await this.files.open(list);
+    await this.firstMinute.open();
     await this.#followAddress();
     addEventListener('hashchange', () => this.attempt(() => this.#followAddress()));
     await this.runs.look();
@@ -112,6 +116,7 @@ class ProgramRoom {
   /** Called when another file is shown. */
   opened() {
     this.exercises.draw();
+    this.firstMinute.opened();
     this.runs.forgetMistakes();
     this.attempt(() => this.check());
   }
@@ -153,6 +158,7 @@ class ProgramRoom {
   #changed() {
     this.files.changed();
     this.runs.edited();
+    this.firstMinute.draw();
     clearTimeout(this.#checkTimer);
     this.#checkTimer = window.setTimeout(() => this.attempt(() => this.check()), CHECK_MILLISECONDS);
   }

@@ -75,7 +75,7 @@ export class RunController {
   /** Saves the program and runs it. */
   async run() {
     await copyExample(this.room.files);
-    if (await this.room.files.save()) {
+    if (!(await this.room.firstMinute.run()) && (await this.room.files.save())) {
       await this.#start(isUnderWay(this.now) ? this.#chosenWorld : 'fresh');
     }
   }

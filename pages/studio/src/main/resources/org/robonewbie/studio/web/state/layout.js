@@ -47,12 +47,12 @@ const hidden = (name, part) => ({ name, part, isHidden: true });
 const ROBOT = {
   wide: [
     { part: 0.45, panels: [shown('picture', 0.64), shown('words', 0.36)] },
-    { part: 0.3, panels: [shown('curves', 0.6), shown('surroundings', 0.4)] },
+    { part: 0.3, panels: [shown('surroundings', 0.6), shown('curves', 0.4)] },
     { part: 0.25, panels: [shown('joints', 1)] },
   ],
   medium: [
-    { part: 0.56, panels: [shown('picture', 0.62), shown('words', 0.38)] },
-    { part: 0.44, panels: [shown('curves', 0.5), shown('joints', 0.5), hidden('surroundings', 0.5)] },
+    { part: 0.5, panels: [shown('picture', 0.45), shown('curves', 0.3), shown('words', 0.25)] },
+    { part: 0.5, panels: [shown('surroundings', 0.55), shown('joints', 0.45)] },
   ],
   narrow: [
     {
