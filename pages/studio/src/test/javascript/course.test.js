@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
+  byLevel,
+  checkText,
   hints,
   progressText,
   trialText,
@@ -25,6 +27,16 @@ const attempt = {
   output: '',
 };
 
+test('exercises are listed by level, each level in the order of the course', () => {
+  const levels = ['first steps', 'basics', 'challenge', 'first steps', 'basics'];
+  const lessons = levels.map((level, i) => /** @type {any} */ ({ number: i + 1, level }));
+
+  assert.deepEqual(
+    byLevel(lessons).map(({ number }) => number),
+    [1, 4, 2, 5, 3],
+  );
+});
+
 test('progress names the running trial and the results of all', () => {
   assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being graded.');
   assert.equal(progressText({ ...attempt, state: 'WAITING' }), 'Trial 2 of 2: Kick.java is starting…');
@@ -34,6 +46,14 @@ test('progress names the running trial and the results of all', () => {
     'Passed: 10.0 of 10 points',
   );
   assert.equal(progressText({ ...attempt, state: 'NONE' }), '');
+});
+
+test('the state of a check names the program', () => {
+  assert.equal(checkText({ ...attempt, program: 'src/main/java/Kick.java' }), 'Kick is being checked…');
+  assert.equal(checkText({ ...attempt, state: 'OVER', passed: true }), 'Kick has passed.');
+  assert.equal(checkText({ ...attempt, state: 'OVER', passed: false }), 'Kick has not passed.');
+  assert.equal(checkText({ ...attempt, state: 'NONE' }), '');
+  assert.equal(checkText({ ...attempt, program: '' }), '');
 });
 
 test('the user’s own agent gets a command to join', () => {

@@ -1,30 +1,35 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
-  FOLDED_PIXELS,
-  LAYOUTS,
+  defaultLayout,
   PANEL_TITLES,
+  panelsOf,
   placed,
   restoredLayout,
+  shows,
   toggled,
-  UNDERSTAND,
   widthOf,
   withEdgeMoved,
 } from '../../main/resources/org/robonewbie/studio/web/state/layout.js';
 
-for (const [preset, layouts] of Object.entries(LAYOUTS)) {
+const ROOMS = /** @type {const} */ (['field', 'program', 'robot', 'replay']);
+const wide = defaultLayout('robot', 'wide');
+
+for (const room of ROOMS) {
   for (const [width, height] of [
     [1440, 800],
     [1024, 680],
     [700, 900],
   ]) {
-    test(`all panels of ${preset} fit side by side in a window of ${width} pixels`, () => {
-      const { boxes } = placed(layouts[widthOf(width)], width, height);
+    test(`the panels of room ${room} fit side by side in a window of ${width} pixels`, () => {
+      const everything = everyPanelOf(defaultLayout(room, widthOf(width)));
+
+      const { boxes } = placed(everything, width, height);
 
       const all = [...boxes.values()];
-      assert.deepEqual([...boxes.keys()].sort(), panelsOf(layouts.wide));
+      assert.deepEqual([...boxes.keys()].sort(), panelsOf(everything).sort());
       all.forEach((box, i) => {
-        assert.ok(box.left >= 0 && box.top >= 0 && box.height >= FOLDED_PIXELS);
+        assert.ok(box.left >= 0 && box.top >= 0 && box.height > 60);
         assert.ok(box.left + box.width <= width + 0.01 && box.top + box.height <= height + 0.01);
         all.slice(i + 1).forEach((other) => assert.ok(!overlap(box, other)));
       });
@@ -32,14 +37,26 @@ for (const [preset, layouts] of Object.entries(LAYOUTS)) {
   }
 }
 
-test('each panel belongs to one of the presets', () => {
-  const all = Object.values(LAYOUTS).flatMap(({ wide }) => panelsOf(wide));
+test('each panel belongs to one of the rooms', () => {
+  const all = ROOMS.flatMap((room) => panelsOf(defaultLayout(room, 'wide')));
 
   assert.deepEqual([...new Set(all)].sort(), Object.keys(PANEL_TITLES).sort());
 });
 
-function panelsOf(layout) {
-  return layout.flatMap(({ panels }) => panels.map(({ name }) => name)).sort();
+test('the field and the replay begin with the picture alone, which fills the room', () => {
+  for (const room of /** @type {const} */ (['field', 'replay'])) {
+    const { boxes, edges } = placed(defaultLayout(room, 'wide'), 1400, 800);
+
+    assert.deepEqual([...boxes], [['picture', { left: 0, top: 0, width: 1400, height: 800 }]]);
+    assert.deepEqual(edges, []);
+  }
+});
+
+function everyPanelOf(layout) {
+  return layout.map((column) => ({
+    ...column,
+    panels: column.panels.map((panel) => ({ ...panel, isHidden: false })),
+  }));
 }
 
 function overlap(a, b) {
@@ -48,7 +65,7 @@ function overlap(a, b) {
 }
 
 test('an edge between columns keeps the sum of their widths', () => {
-  const moved = withEdgeMoved(UNDERSTAND.wide, { column: 0, panel: undefined }, 0.1);
+  const moved = withEdgeMoved(wide, { column: 0, panel: undefined }, 0.1);
 
   assert.deepEqual(
     moved.map(({ part }) => part.toFixed(2)),
@@ -57,36 +74,37 @@ test('an edge between columns keeps the sum of their widths', () => {
 });
 
 test('no panel becomes too small to be visible', () => {
-  const moved = withEdgeMoved(UNDERSTAND.wide, { column: 0, panel: 0 }, 9);
+  const moved = withEdgeMoved(wide, { column: 0, panel: 0 }, 9);
 
   const { boxes } = placed(moved, 1400, 800);
   assert.ok((boxes.get('words')?.height ?? 0) > 80);
 });
 
-test('a collapsed panel keeps its title, and the others use its space', () => {
-  const layout = toggled(UNDERSTAND.medium, 'joints');
+test('a hidden panel leaves its space to the others of its column', () => {
+  const layout = toggled(wide, 'surroundings');
 
-  const { boxes, edges } = placed(layout, 1000, 700);
-  assert.equal(boxes.get('joints')?.height, FOLDED_PIXELS);
-  assert.ok((boxes.get('curves')?.height ?? 0) > 500);
+  const { boxes, edges } = placed(layout, 1400, 700);
+
+  assert.ok(!shows(layout, 'surroundings') && !boxes.has('surroundings'));
+  assert.equal(boxes.get('curves')?.height, 700);
   assert.ok(!edges.some(({ column, panel }) => column === 1 && panel !== undefined));
-  assert.deepEqual(toggled(layout, 'joints'), UNDERSTAND.medium);
+  assert.deepEqual(toggled(layout, 'surroundings'), wide);
 });
 
-test('an edge below a collapsed panel moves the expanded ones around it', () => {
-  const layout = toggled(toggled(UNDERSTAND.medium, 'surroundings'), 'joints');
+test('a column without a shown panel leaves its space to the other columns', () => {
+  const layout = toggled(toggled(wide, 'curves'), 'surroundings');
 
-  const moved = withEdgeMoved(layout, { column: 1, panel: 1 }, 0.2);
+  const { boxes, edges } = placed(layout, 1400, 700);
+  const moved = placed(withEdgeMoved(layout, { column: 0, panel: undefined }, 0.1), 1400, 700).boxes;
 
-  const before = placed(layout, 1000, 700).boxes;
-  const after = placed(moved, 1000, 700).boxes;
-  assert.ok((after.get('curves')?.height ?? 0) > (before.get('curves')?.height ?? 0) + 50);
-  assert.ok((after.get('surroundings')?.height ?? 0) < (before.get('surroundings')?.height ?? 0) - 50);
+  assert.ok((boxes.get('picture')?.width ?? 0) > 800);
+  assert.equal(edges.filter(({ panel }) => panel === undefined).length, 1);
+  assert.ok(Math.abs((moved.get('picture')?.width ?? 0) - (boxes.get('picture')?.width ?? 0) - 140) < 2);
 });
 
-test('a stored layout is restored unless it is damaged or of another version', () => {
-  const kept = JSON.parse(JSON.stringify(withEdgeMoved(UNDERSTAND.wide, { column: 1, panel: undefined }, 0.05)));
-  assert.deepEqual(restoredLayout(kept, 'wide'), kept);
+test('a stored layout is restored unless it is damaged, of another room or of another version', () => {
+  const kept = JSON.parse(JSON.stringify(withEdgeMoved(wide, { column: 1, panel: undefined }, 0.05)));
+  assert.deepEqual(restoredLayout(kept, 'robot', 'wide'), kept);
 
   for (const damaged of [
     undefined,
@@ -95,7 +113,8 @@ test('a stored layout is restored unless it is damaged or of another version', (
     [{ part: 1 }],
     kept.slice(1),
     [{ ...kept[0], part: -1 }, ...kept.slice(1)],
+    defaultLayout('program', 'wide'),
   ]) {
-    assert.equal(restoredLayout(damaged, 'wide'), UNDERSTAND.wide);
+    assert.deepEqual(restoredLayout(damaged, 'robot', 'wide'), wide);
   }
 });

@@ -20,7 +20,6 @@ const {
   opened,
   written,
 } = await import(`${state}/program/documents.js`);
-const { PROGRAM, restoredLayout, UNDERSTAND } = await import(`${state}/layout.js`);
 
 const mistake = { from: 4, to: 9, line: 2, serious: true, text: 'cannot find symbol', hint: '' };
 
@@ -167,12 +166,6 @@ test('a new program gets a free name in the folder of its project', () => {
   assert.equal(freeName('MyAgent.java', [{ path: 'MyAgent.java' }, { path: 'MyAgent2.java' }]), 'MyAgent3.java');
   assert.equal(javaName(' Walker '), 'Walker.java');
   assert.equal(lessonOf('src/main/java/my/Kick.java', [{ name: 'kick', file: 'Kick.java' }])?.name, 'kick');
-});
-
-test('the program has a layout of its own', () => {
-  assert.equal(restoredLayout(UNDERSTAND.wide, 'wide', 'program'), PROGRAM.wide);
-  assert.equal(restoredLayout(undefined, 'narrow', 'program'), PROGRAM.narrow);
-  assert.equal(restoredLayout(PROGRAM.wide, 'wide'), UNDERSTAND.wide);
 });
 
 test('the bundled editor is the output of its build command', () => {

@@ -27,6 +27,17 @@ test('software rendering starts low and ends below the best, a graphics card sta
   assert.equal(QUALITIES[qualityRange('NVIDIA GeForce RTX 3060').first].name, 'high');
 });
 
+test('a fast graphics card gets shadows after two seconds, a slow one does not', () => {
+  const card = qualityRange('NVIDIA GeForce RTX 3060');
+  const fast = new QualityChooser(card, false);
+  const slow = new QualityChooser(card, false);
+
+  draw(fast, 16.7, 120);
+  draw(slow, 30, 120);
+
+  assert.deepEqual([fast.quality.shadows, slow.quality.shadows], [true, false]);
+});
+
 test('slow pictures lower the quality step by step down to the lowest', () => {
   const chooser = fromHigh();
 

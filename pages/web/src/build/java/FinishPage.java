@@ -8,13 +8,15 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.studio.ModuleGraph;
 
 /**
  * Assembles the web page from the studio's files and those of the web edition: adds the style sheet, preloads scripts, links the page from
- * the documentation, and writes the service worker's list of files.
+ * the documentation, replaces terminal commands in worksheets, and writes the service worker's list of files.
  *
  * <p>Usage: {@code java -cp CLASS_PATH FinishPage.java FOLDER}
  */
@@ -27,6 +29,13 @@ final class FinishPage {
 
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
     private static final String TRY = "<a class=\"try\" href=\"";
+    private static final Pattern WORKSHEET = Pattern.compile("docs/exercises/(de/)?\\d.*");
+    private static final Pattern COMMANDS =
+            Pattern.compile("(<h2 id=\"begin(?:nen)?\">.*?</h2>\\s*)<pre.*?</pre>", Pattern.DOTALL);
+    private static final String ROOM = "$1<p>Open the exercise in the room <em>Program</em>: it is in the list of programs. <em>Check</em>"
+            + " grades your program and shows the trials.</p>";
+    private static final String GERMAN_ROOM = "$1<p>Öffne die Aufgabe im Raum <em>Program</em>: Sie steht in der Liste der Programme."
+            + " <em>Check</em> bewertet dein Programm und zeigt die Versuche.</p>";
     private static final int VERSION_DIGITS = 16;
 
     private FinishPage() {}
@@ -65,9 +74,22 @@ final class FinishPage {
                 if (offered.equals(text) && text.contains("class=\"brand\"")) {
                     throw new IOException(page + " has no search field; the link \"Try it now\" belongs in front of it.");
                 }
-                Files.writeString(page, offered);
+                Files.writeString(page, withoutCommands(offered, name(folder, page)));
             }
         }
+    }
+
+    /** Replaces the terminal commands of a worksheet by the room that does the same in the browser. */
+    private static String withoutCommands(String text, String page) throws IOException {
+        Matcher worksheet = WORKSHEET.matcher(page);
+        if (!worksheet.matches()) {
+            return text;
+        }
+        String result = COMMANDS.matcher(text).replaceFirst(worksheet.group(1) == null ? ROOM : GERMAN_ROOM);
+        if (result.equals(text)) {
+            throw new IOException(page + " does not begin with the commands of its exercise.");
+        }
+        return result;
     }
 
     private static Optional<String> text(Path file) {

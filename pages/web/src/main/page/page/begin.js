@@ -1,8 +1,10 @@
 /** Starts the studio for the world of this page and exposes it in the browser's console as `studio`, for tests. */
 import { keep, recall } from '../panels/memory.js';
+import { assignmentOf } from '../state/class-link.js';
 import { LAST_PROGRAM } from '../state/program/documents.js';
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
+import { addAssignment, takeAssignment } from './class-assignment.js';
 import { CourseServer } from './course-server.js';
 import { showBrowserAdvice } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
@@ -52,6 +54,7 @@ async function takeShared(repository) {
 
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
+  takeAssignment();
   const repository = new ProgramRepository();
   const trouble = (await takeShared(repository)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
@@ -79,11 +82,12 @@ async function begin(worker) {
   addExportButtons(() => studio.rooms.program, repository);
   addRecordingTools(() => studio, recordings);
   studio.start();
+  addAssignment();
   if (trouble) {
     studio.note(trouble);
   }
   recordings.store.full = (text) => studio.note(text);
-  addEventListener('hashchange', () => isShared(location.hash) && location.reload());
+  addEventListener('hashchange', () => (isShared(location.hash) || assignmentOf(location.hash)) && location.reload());
   navigator.serviceWorker?.register('service-worker.js').catch(() => {});
 }
 

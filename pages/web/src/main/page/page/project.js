@@ -25,6 +25,27 @@ export function publicClass(text, path) {
   );
 }
 
+/**
+ * @param {Map<string, string>} files texts by path
+ * @param {string} path path of a program
+ * @returns {Map<string, string>} the program and the Java files that it uses, directly or indirectly
+ */
+export function withReferences(files, path) {
+  const found = new Map([[path, files.get(path) ?? '']]);
+  const classes = new Set([publicClass(files.get(path) ?? '', path)]);
+  for (const text of found.values()) {
+    const words = new Set(text.match(/[\p{L}\p{N}_$]+/gu));
+    for (const [other, content] of files) {
+      const name = publicClass(content, other);
+      if (other.endsWith('.java') && words.has(name) && !classes.has(name)) {
+        classes.add(name);
+        found.set(other, content);
+      }
+    }
+  }
+  return found;
+}
+
 /** @param {string} text @param {string} name name of its new package */
 export function inPackage(text, name) {
   return `package ${name};\n\n${text.replace(/^\s*package\s+[^;]*;\s*/, '')}`;
@@ -93,9 +114,7 @@ export async function project(programs, shown) {
   /** @type {Template} */
   const template = await (await fetched('project.json')).json();
   if (template.libraries.length === 0) {
-    throw new Error(
-      'This page was built without the project files. Copy the text of your program instead.',
-    );
+    throw new Error('This page was built without the project files. Copy the text of your program instead.');
   }
   /** @type {Map<string, string | Uint8Array>} */
   const files = new Map();

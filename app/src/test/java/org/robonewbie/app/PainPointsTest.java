@@ -8,14 +8,14 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** The page about the original's pain points names tests; they must be there. */
+/** The list of the pain points of RoboNewbie 1.1 names tests that exist. */
 class PainPointsTest {
 
     private static final int PAIN_POINTS = 38;
     private static final Pattern ROW = Pattern.compile("(?m)^\\| (\\d+) \\|.*`\\w+Test\\.\\w+` \\|$");
     private static final Pattern TEST = Pattern.compile("`(\\w+Test)\\.(\\w+)`");
 
-    private final String page = Project.read(Project.ROOT.resolve("docs/pain-points.md"));
+    private final String page = Project.read(Project.ROOT.resolve("app/src/test/resources/pain-points.md"));
 
     @Test
     void eachPointNamesATest() {

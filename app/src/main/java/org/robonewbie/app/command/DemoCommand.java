@@ -32,6 +32,6 @@ final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        return new ProgramFinder(List.of()).find(AGENT).run(agentOptions);
+        return RunCommand.run(AGENT, new ProgramFinder(List.of()).find(AGENT), agentOptions);
     }
 }

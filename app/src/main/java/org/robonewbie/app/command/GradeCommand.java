@@ -56,6 +56,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade --progress anna.json ben.json   the progress of a team",
             "  robonewbie grade --class submissions      grade a class: one folder for each student",
             "  robonewbie grade kick --class submissions --seeds 10   only this exercise",
+            "  robonewbie grade --class Anna.robonewbie links.txt     files and links that pupils have sent",
             "",
             "Exit code: 0 passed, 1 not yet passed, 2 called incorrectly."
         })
@@ -110,15 +111,18 @@ final class GradeCommand implements Callable<Integer> {
 
     @Option(
             names = "--class",
-            paramLabel = "FOLDER",
-            description = "Grade all programs of a class (one folder per student) into one table. Run the command"
-                    + " again to resume, or to grade changed programs.")
-    private Optional<Path> classFolder = Optional.empty();
+            paramLabel = "FOLDER|FILE",
+            arity = "1..*",
+            description = "Grade all programs of a class into one table: a folder with one folder per student, files"
+                    + " that students of the web edition have sent, and text files with links from there. Run the"
+                    + " command again to resume, or to grade changed programs.")
+    private List<Path> classSources = List.of();
 
     @Option(
             names = "--results",
             paramLabel = "FOLDER",
-            description = "With --class: folder for the table and stored grades (default: FOLDER-grades).")
+            description = "With --class: folder for the table and stored grades (default: FOLDER-grades, for"
+                    + " several files class-grades).")
     private Optional<Path> results = Optional.empty();
 
     @Mixin
@@ -141,8 +145,8 @@ final class GradeCommand implements Callable<Integer> {
         if (progress.isGiven()) {
             return progress.show();
         }
-        if (classFolder.isPresent()) {
-            return gradeClass(classFolder.get());
+        if (!classSources.isEmpty()) {
+            return gradeClass();
         }
         if (exerciseName.isEmpty()) {
             System.out.print(ProgramName.here()
@@ -194,18 +198,19 @@ final class GradeCommand implements Callable<Integer> {
         return sandbox;
     }
 
-    private int gradeClass(Path folder) throws IOException {
+    private int gradeClass() throws IOException {
         if (solution.isPresent()) {
-            throw new CalledWronglyException("\"" + solution.get()
-                    + "\" is unexpected: --class grades the programs in the folder " + folder + ".");
+            throw new CalledWronglyException("\"" + solution.get() + "\" is unexpected: --class grades the programs in "
+                    + classSources.get(0) + ".");
         }
         List<Exercise> wanted =
                 exerciseName.map(name -> List.of(exercise(name))).orElseGet(Exercises::all);
         Path target = results.orElseGet(() -> {
-            Path whole = folder.toAbsolutePath().normalize();
-            return whole.resolveSibling(whole.getFileName() + "-grades");
+            Path first = classSources.get(0).toAbsolutePath().normalize();
+            return first.resolveSibling((classSources.size() == 1 ? first.getFileName() : "class") + "-grades");
         });
-        Path page = new ClassMarking(folder, wanted, seeds, target, version(), sandbox(), System.out::println).run();
+        Path page =
+                new ClassMarking(classSources, wanted, seeds, target, version(), sandbox(), System.out::println).run();
         System.out.println("Wrote the table " + page + ", and grades.csv next to it.");
         return ExitCode.OK;
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.robonewbie.app.studio.LocalStudio;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.Program;
@@ -33,6 +34,9 @@ final class RunCommand implements Callable<Integer> {
     static final String NAME = "run";
 
     private static final List<String> SERVER = List.of("--host", "--port");
+    private static final List<String> SIMULATOR =
+            List.of("--host", "--port", "--seed", "--seconds", "--report", "--record", "--wait-for", "--scene");
+    private static final List<String> SIMULATOR_FLAGS = List.of("--fast", "--headless", "--no-browser", "--truth");
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -76,21 +80,30 @@ final class RunCommand implements Callable<Integer> {
         if (rehearsalSeconds > 0) {
             rehearse(program, options);
         }
+        return run(agentAndOptions.get(0), program, options);
+    }
+
+    /** Runs a program, which its studio opens under this name. */
+    static int run(String name, Program program, List<String> options) {
+        List<String> ofRobot = without(SIMULATOR, options);
+        ofRobot.removeAll(SIMULATOR_FLAGS);
+        LocalStudio.setProgram(name, ofRobot);
         return program.run(options);
     }
 
     /** Runs the program without output before the real run, which then shows any errors. */
     private void rehearse(Program program, List<String> options) throws IOException {
-        List<String> all = withoutServer(options);
+        List<String> all = without(SERVER, options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
         System.out.println("Rehearsing for " + rehearsalSeconds + " simulated seconds");
         SilentPrograms.entirely(() -> program.run(all));
     }
 
-    private static List<String> withoutServer(List<String> options) {
+    /** Returns the options without those with these names and their values. */
+    private static List<String> without(List<String> names, List<String> options) {
         List<String> others = new ArrayList<>();
         for (int i = 0; i < options.size(); i++) {
-            if (SERVER.contains(options.get(i))) {
+            if (names.contains(options.get(i))) {
                 i++;
             } else {
                 others.add(options.get(i));

@@ -11,14 +11,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFolder;
 
-/** Checks whether WebGL, which the studio needs, works in a headless browser. */
+/** Checks whether WebGL works in a headless browser; without it, the studio's picture is simpler and slower. */
 final class GraphicsCheck {
 
     private static final String SUBJECT = "Graphics";
     private static final int MAX_SECONDS = 30;
     private static final String WORKS = "webgl-works";
     private static final String LOOK =
-            "Open the studio once on this computer (robonewbie demo): if the pitch stays grey, use another browser.";
+            "Open the studio once on this computer (robonewbie demo): without WebGL, its picture is simpler and slower.";
 
     /** Browsers with a headless mode, as commands on the PATH or as files. */
     private static final List<String> BROWSERS = List.of(

@@ -2,6 +2,7 @@ package org.robonewbie.app.studio;
 
 import java.io.File;
 import java.io.IOException;
+import java.net.URLDecoder;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -28,6 +29,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
     private static final String MOTION = ".txt";
     private static final String PROGRAM = ".java";
     private static final String PLAYING = "@play";
+    private static final String PROGRAM_PLACE = "#program/";
 
     private OpenedFile(StudioFolders folders, String place) {
         this(folders, place, Path.of("").toAbsolutePath());
@@ -86,7 +88,14 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 ? here
                 : Optional.ofNullable(file.getParent()).orElse(here);
         String path = folder.relativize(file).toString().replace(File.separatorChar, '/');
-        return new OpenedFile(StudioFolders.ofWorkingDirectory(), "#program/" + encoded(path), folder);
+        return new OpenedFile(StudioFolders.ofWorkingDirectory(), PROGRAM_PLACE + encoded(path), folder);
+    }
+
+    /** {@return the path of the program relative to {@link #programs}, with slashes; empty for another file} */
+    Optional<String> program() {
+        return Optional.of(place)
+                .filter(each -> each.startsWith(PROGRAM_PLACE))
+                .map(each -> URLDecoder.decode(each.substring(PROGRAM_PLACE.length()), StandardCharsets.UTF_8));
     }
 
     private static boolean isRecording(Path file) {

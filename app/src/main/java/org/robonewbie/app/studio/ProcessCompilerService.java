@@ -2,6 +2,7 @@ package org.robonewbie.app.studio;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.file.TemporaryFolder;
@@ -13,6 +14,7 @@ import org.robonewbie.programs.Remark;
 import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.process.WaitingProcess;
 import org.robonewbie.studio.program.CompilerService;
+import org.robonewbie.studio.program.FirstProgram;
 import org.robonewbie.studio.program.RunningProgram;
 
 /** Compiles programs in this process and runs each in its own process. */
@@ -21,6 +23,7 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     private final Path folder;
     private final WaitingProcess processes;
     private final ExampleSources sources = new ExampleSources();
+    private final Optional<FirstProgram> first;
 
     /**
      * Creates the service.
@@ -28,7 +31,18 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
      * @param folder folder of the programs
      */
     public ProcessCompilerService(Path folder) {
+        this(folder, Optional.empty());
+    }
+
+    /**
+     * Creates the service for a studio in which a program runs already.
+     *
+     * @param folder folder of the programs
+     * @param first the program that runs already, if there is one
+     */
+    public ProcessCompilerService(Path folder, Optional<FirstProgram> first) {
         this.folder = folder;
+        this.first = first;
         this.processes = new WaitingProcess(folder);
     }
 
@@ -77,11 +91,17 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
             throw new IllegalArgumentException(refused.getMessage(), refused);
         }
         beforeStart.run();
-        List<String> options = List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless");
+        List<String> options = new ArrayList<>(first.map(FirstProgram::options).orElse(List.of()));
+        options.addAll(List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless"));
         RunningProgram program =
-                new RunningProgram(processes.start(source.className(), classes.path(), options), classes);
+                new ProgramInProcess(processes.start(source.className(), classes.path(), options), classes);
         processes.prepare();
         return Optional.of(program);
+    }
+
+    @Override
+    public Optional<FirstProgram> first() {
+        return first;
     }
 
     @Override

@@ -9,44 +9,55 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.studio.StudioCookie;
 
 /** A studio in its own process, started as by a user, and a client for its API. */
 public final class StudioProcess implements AutoCloseable {
 
-    private static final String ADDRESS = "Studio: ";
+    private static final Pattern ADDRESS = Pattern.compile("(?:Studio: |Watch it at )(\\S+)");
 
     private final Process process;
     private final URI address;
-    private final String cookie;
+    private String cookie = "";
 
     private StudioProcess(Process process, URI address) {
         this.process = process;
         this.address = address;
-        this.cookie = StudioCookie.of(address);
     }
 
     /** Starts the studio in a working directory. */
     public static StudioProcess start(Path folder) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(
-                        JavaCommand.ofCommand(List.of("studio", "--no-browser", "--agent-port", "0")))
+        return start(folder, "studio", "--no-browser", "--agent-port", "0");
+    }
+
+    /** Starts a command that opens a studio in a working directory. */
+    public static StudioProcess start(Path folder, String... command) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(JavaCommand.ofCommand(List.of(command)))
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
         Process process = builder.start();
         BufferedReader lines = process.inputReader(StandardCharsets.UTF_8);
         for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-            if (line.startsWith(ADDRESS)) {
-                String address = line.substring(ADDRESS.length()).split(" ", 2)[0];
-                return new StudioProcess(process, URI.create(address));
+            Matcher matcher = ADDRESS.matcher(line);
+            if (matcher.find()) {
+                return new StudioProcess(process, URI.create(matcher.group(1)));
             }
         }
         throw new IOException("The studio exited without printing an address.");
     }
 
+    /** Returns the address that signs in one client: a browser, or {@link #ask}. */
+    public URI oneTimeAddress() {
+        return address;
+    }
+
     /** Sends a request and returns the complete response. */
-    public String ask(String order, String place, String body, String... headers) throws IOException {
+    public synchronized String ask(String order, String place, String body, String... headers) throws IOException {
+        cookie = cookie.isEmpty() ? StudioCookie.of(address) : cookie;
         List<String> lines = new ArrayList<>(List.of(
                 order + " /api/" + place + " HTTP/1.1",
                 "Host: " + address.getAuthority(),

@@ -2,7 +2,9 @@ package org.robonewbie.studio;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.HostProgram;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.EventBus;
 import org.robonewbie.studio.program.CompilerService;
@@ -21,6 +23,12 @@ public final class StudioViewer implements Viewer {
     @Override
     public View open(SimulationControl simulation, int port) throws IOException {
         return open(simulation, port, StudioFolders.ofWorkingDirectory());
+    }
+
+    @Override
+    public View open(SimulationControl simulation, int port, HostProgram program) throws IOException {
+        Optional<FullStudio> full = ServiceLoader.load(FullStudio.class).findFirst();
+        return full.isPresent() ? full.get().open(simulation, port, program) : open(simulation, port);
     }
 
     /**

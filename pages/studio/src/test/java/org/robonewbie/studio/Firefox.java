@@ -17,38 +17,10 @@ import java.util.List;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 
-/** A headless Firefox, controlled by WebDriver BiDi. A later browser can use the same profile. */
+/** A headless Firefox without WebGL, controlled by WebDriver BiDi. A later browser can use the same profile. */
 final class Firefox implements AnyBrowser, AutoCloseable {
 
     static final Tool TOOL = new Tool("Firefox", List.of("firefox-esr", "firefox"));
-
-    /** Stub for WebGL, which this browser lacks without a screen. Everything else works as in a window. */
-    private static final String DRAWS_NOTHING = """
-            () => {
-              const answers = {
-                getParameter: (name) => ({ 7938: 'WebGL 2.0', 35724: 'GLSL ES 3.00', 3088: [0, 0, 0, 0], 2978: [0, 0, 0, 0] })[name] ?? 16,
-                getShaderPrecisionFormat: () => ({ rangeMin: 127, rangeMax: 127, precision: 23 }),
-                getContextAttributes: () => ({}),
-                getProgramParameter: (_, name) => (name === 35714 ? true : 0),
-                getShaderParameter: () => true,
-                getProgramInfoLog: () => '',
-                getShaderInfoLog: () => '',
-                checkFramebufferStatus: () => 36053,
-                getSupportedExtensions: () => [],
-                getAttribLocation: () => -1,
-                isContextLost: () => false,
-                getError: () => 0,
-                getExtension: () => null,
-              };
-              const gl = new Proxy({}, {
-                get: (_, name) => WebGL2RenderingContext[name] ?? answers[name] ?? (String(name).startsWith('create') ? () => ({}) : () => null),
-              });
-              const usual = HTMLCanvasElement.prototype.getContext;
-              HTMLCanvasElement.prototype.getContext = function (kind, options) {
-                return kind === 'webgl2' ? gl : usual.call(this, kind, options);
-              };
-            }
-            """;
 
     private static final String ANNOUNCEMENT = "WebDriver BiDi listening on ";
     private static final int PATIENCE_SECONDS = 120;
@@ -68,9 +40,6 @@ final class Firefox implements AnyBrowser, AutoCloseable {
         call("session.new", wishes);
         JsonObject kind = new JsonObject();
         kind.addProperty("type", "tab");
-        JsonObject script = new JsonObject();
-        script.addProperty("functionDeclaration", DRAWS_NOTHING);
-        call("script.addPreloadScript", script);
         context = call("browsingContext.create", kind).get("context").getAsString();
     }
 

@@ -99,6 +99,7 @@ class MotionPageTest {
 
         assertThat(frames()).isGreaterThan(1);
         browser.await("document.querySelectorAll('[data-keyframe]').length === " + frames());
+        browser.await("/[0-9.]+ cm inside the feet$/.test(document.querySelector('.verdict').textContent)");
         assertThat(browser.complaints()).isEmpty();
     }
 

@@ -67,7 +67,7 @@ class RoboVizPageTest {
                 + " && studio.view.board.shapes.geometry.attributes.position.count === 240");
         browser.await("studio.view.board.texts.children[0]?.name === 'I go to the ball'"
                 + " && studio.view.board.texts.children[0].position.z > 0.6");
-        browser.await("document.querySelector('#board').checkVisibility()"
+        browser.await("!document.querySelector('#board').hidden"
                 + " && document.querySelector('#board').textContent.includes('Stars.circle')");
 
         browser.clickElement(

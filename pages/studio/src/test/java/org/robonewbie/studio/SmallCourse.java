@@ -76,7 +76,7 @@ final class SmallCourse implements PageService, AutoCloseable {
     private String overview() {
         boolean german = language.equals("de");
         return """
-                {"language":"%s","programs":%s,
+                {"language":"%s","programs":%s,"acceptsAgents":true,
                 "standings":{"sum":"1 of 2 exercises passed, 8.5 of 20 points, 7 min","badges":["First success"],"csv":"name"},
                 "lessons":[
                 {"number":1,"name":"arms","title":"Raise arms","goal":"Raise both.","level":"first steps","minutes":15,"points":10,

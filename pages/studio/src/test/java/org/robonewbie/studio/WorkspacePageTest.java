@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
-/** Layout of 3D view and panels: edges are moved by mouse and keys, panels collapse, and the browser remembers it. */
+/** Layout of 3D view and panels: edges are moved by mouse and keys, a menu shows or hides panels, and the browser remembers it. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class WorkspacePageTest {
@@ -82,18 +82,33 @@ class WorkspacePageTest {
     }
 
     @Test
-    void presetsLeadFromThePictureAloneToAllPanelsAndToMotions() {
-        String pressed = "document.querySelector('#layouts [aria-pressed=true]').textContent";
-        browser.await(pressed + " === 'Understand'");
+    void menuShowsAndHidesThePanelsOfTheRoom() {
+        String joints = "document.querySelector('#robot-joints')";
+        browser.click("#panels-button");
+        browser.await("document.querySelector('#panel-joints').checkVisibility()"
+                + " && document.querySelector('#panel-joints').checked");
 
-        browser.clickElement(
-                "[...document.querySelectorAll('#layouts button')].find(each => each.textContent === 'Watch')");
-        browser.await(pressed + " === 'Watch' && " + PICTURE_WIDTH + " === innerWidth && location.hash === '#field'");
-        browser.clickElement(
-                "[...document.querySelectorAll('#layouts button')].find(each => each.textContent === 'Shape')");
+        browser.click("#panel-joints");
 
-        browser.await(pressed + " === 'Shape' && document.querySelector('#motion-room').checkVisibility()"
-                + " && !document.querySelector('#stage').checkVisibility()");
+        browser.await("!" + joints + ".checkVisibility()");
+        open("#robot");
+        browser.await("document.querySelector('#robot-curves .plot-row') && !" + joints + ".checkVisibility()");
+        browser.click("#panels-button");
+        browser.clickElement("document.querySelector('#panels button')");
+        browser.await(joints + ".checkVisibility()");
+    }
+
+    @Test
+    void panelOfTheRobotIsAddedToTheField() {
+        open("#field");
+        browser.await(PICTURE_WIDTH + " === innerWidth");
+
+        browser.click("#panels-button");
+        browser.click("#panel-curves");
+
+        browser.await("document.querySelectorAll('#robot-curves .plot-row').length > 0 && " + PICTURE_WIDTH
+                + " < innerWidth - 200 && location.hash === '#field'");
+        assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
@@ -109,15 +124,15 @@ class WorkspacePageTest {
     }
 
     @Test
-    void toolsOverThePictureAreFolded() {
+    void toolsOverThePictureAreFoldedUntilTheyAreNeeded() {
         open("#field");
-        browser.await("document.querySelector('#trainer').checkVisibility()");
+        browser.await("!document.querySelector('#trainer').checkVisibility()"
+                + " && document.querySelector('#side-fold').ariaExpanded === 'false'");
 
         browser.click("#side-fold");
 
-        browser.await("!document.querySelector('#trainer').checkVisibility()"
-                + " && document.querySelector('#side-fold').ariaExpanded === 'false'");
+        browser.await("document.querySelector('#trainer').checkVisibility()");
         open("#field");
-        browser.await("!document.querySelector('#trainer').checkVisibility()");
+        browser.await("document.querySelector('#trainer').checkVisibility()");
     }
 }

@@ -47,6 +47,11 @@ final class PageCourse implements CourseHost, ProgressStore {
         starter = programs;
     }
 
+    @Override
+    public boolean acceptsAgents() {
+        return false;
+    }
+
     /** Answers a request; returns JSON, or a sentence if the request is refused. */
     String answer(ServiceRequest asked) {
         request = asked;

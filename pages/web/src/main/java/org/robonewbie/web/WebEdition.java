@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.marking.ClassService;
 import org.robonewbie.pagejvm.Program;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -130,6 +131,18 @@ public final class WebEdition {
             run = started;
             return "";
         }
+    }
+
+    /**
+     * Answers a request of the pages for a class without accounts.
+     *
+     * @param action name of the request
+     * @param request one JSON object
+     * @return JSON, or a sentence if the request is refused
+     */
+    @JSExport
+    public static String classroom(String action, String request) {
+        return ClassService.answer(action, request);
     }
 
     private static ExerciseAttempt beginAttempt(Exercise exercise, long id, int trials, Consumer<Grade> judged) {

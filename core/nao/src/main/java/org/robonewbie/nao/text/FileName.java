@@ -44,6 +44,29 @@ public final class FileName {
     }
 
     /**
+     * Returns whether a name is short and plain.
+     *
+     * @param name a name without folder and extension
+     * @param signs valid characters beside letters and digits
+     * @param maxCharacters maximum length
+     * @return whether it begins with a letter or digit, contains only letters, digits and the given characters, and is
+     *     {@linkplain #isPortable portable}
+     */
+    public static boolean isPlain(String name, String signs, int maxCharacters) {
+        return !name.isEmpty()
+                && name.length() <= maxCharacters
+                && isLetterOrNumber(name.codePointAt(0))
+                && name.codePoints().allMatch(each -> isLetterOrNumber(each) || signs.indexOf(each) >= 0)
+                && isPortable(name);
+    }
+
+    private static boolean isLetterOrNumber(int character) {
+        int type = Character.getType(character);
+        return Character.isLetter(character)
+                || (type >= Character.DECIMAL_DIGIT_NUMBER && type <= Character.OTHER_NUMBER);
+    }
+
+    /**
      * Checks a name that a user chose.
      *
      * @param name a name without folder and extension

@@ -32,12 +32,13 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         Console console = Console.standard();
         Simulator simulator = Simulator.start(settings(request), console);
         try {
-            Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator);
+            LocalProgram program = new LocalProgram(simulator, request.agent(), console);
+            Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator, program);
             String hint = view.map(EnterKey::listen).orElse("");
             if (request.openBrowser()) {
                 view.ifPresent(opened -> Browser.openUnlessWatched(opened, console));
             }
-            return new ViewedSimulator(simulator, view, hint);
+            return new ViewedSimulator(simulator, program, view, hint);
         } catch (IOException e) {
             simulator.close();
             throw e;
@@ -75,8 +76,8 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
                 : RecordingRepository.ofUser().flatMap(recordings -> recordings.next(request.agent()));
     }
 
-    private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {
+    private static Optional<Viewer.View> openView(Simulator simulator, HostProgram program) throws IOException {
         Optional<Viewer> viewer = ServiceLoader.load(Viewer.class).findFirst();
-        return viewer.isEmpty() ? Optional.empty() : Optional.of(viewer.get().open(simulator.control(), 0));
+        return viewer.isEmpty() ? Optional.empty() : Optional.of(viewer.get().open(simulator.control(), 0, program));
     }
 }

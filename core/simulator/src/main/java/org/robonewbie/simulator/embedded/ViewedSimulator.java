@@ -12,12 +12,14 @@ import org.robonewbie.simulator.server.Simulator;
 final class ViewedSimulator implements EmbeddedSimulator {
 
     private final Simulator simulator;
+    private final LocalProgram program;
     private final Optional<Viewer.View> view;
     private final String hint;
     private final Optional<TelemetryServer> telemetryServer;
 
-    ViewedSimulator(Simulator simulator, Optional<Viewer.View> view, String hint) {
+    ViewedSimulator(Simulator simulator, LocalProgram program, Optional<Viewer.View> view, String hint) {
         this.simulator = simulator;
+        this.program = program;
         this.view = view;
         this.hint = hint;
         this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
@@ -36,7 +38,7 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     @Override
     public AgentLink connect() {
-        return simulator.connect();
+        return program.connect();
     }
 
     @Override
@@ -56,6 +58,7 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     @Override
     public void close() {
+        program.awaitReplacement();
         telemetryServer.ifPresent(TelemetryServer::close);
         view.ifPresent(Viewer.View::close);
         simulator.close();

@@ -18,6 +18,19 @@ public interface Viewer {
      */
     View open(SimulationControl simulation, int port) throws IOException;
 
+    /**
+     * Opens a view of a simulation whose program the view may replace.
+     *
+     * @param simulation the simulation to show and control
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free one if that is in use
+     * @param program the program that plays in the simulation
+     * @return the open view
+     * @throws IOException if the port cannot be opened
+     */
+    default View open(SimulationControl simulation, int port, HostProgram program) throws IOException {
+        return open(simulation, port);
+    }
+
     /** An open view. */
     interface View extends AutoCloseable {
 

@@ -7,9 +7,13 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.nao.file.PathEncoding;
@@ -19,8 +23,9 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * The submissions of all students in a course: a folder for each student, or files named after the student and the Java
- * class, such as {@code anna_Kick.java}. The name of the Java class determines the exercise.
+ * The submissions of all students in a course: a folder for each student, files named after the student and the Java class,
+ * such as {@code anna_Kick.java}, files that students of the web edition send, and text files with links from there. The name
+ * of the Java class determines the exercise.
  */
 final class ClassFolder {
 
@@ -28,6 +33,7 @@ final class ClassFolder {
 
     private final List<Exercise> exercises;
     private final Path copies;
+    private final ReceivedWork received = new ReceivedWork();
     private final Map<String, List<Submission>> submissions = new TreeMap<>();
     private final Map<String, String> troubles = new TreeMap<>();
 
@@ -37,35 +43,47 @@ final class ClassFolder {
     }
 
     /**
-     * Reads a folder.
+     * Reads submissions.
      *
-     * @param folder the folder
+     * @param sources folders with the submissions of a class, and single submissions
      * @param exercises the exercises to grade
      * @param copies folder for copies of the accepted files; the copies are graded
-     * @param results folder for the results, which is ignored if it is inside {@code folder}
+     * @param results folder for the results, which is ignored if it is inside a source
      * @throws CalledWronglyException if there is nothing to grade
      */
-    static ClassFolder read(Path folder, List<Exercise> exercises, Path copies, Path results) throws IOException {
-        if (!Files.isDirectory(folder)) {
-            throw new CalledWronglyException(
-                    "There is no folder " + folder + ". It must contain a folder for each student, with .java files.");
-        }
+    static ClassFolder read(List<Path> sources, List<Exercise> exercises, Path copies, Path results)
+            throws IOException {
         ClassFolder all = new ClassFolder(exercises, copies);
+        for (Path source : sources) {
+            if (Files.isDirectory(source)) {
+                all.addAll(source, results.toAbsolutePath().normalize());
+            } else if (Files.exists(source)) {
+                if (!all.add(source)) {
+                    all.trouble(String.valueOf(source.getFileName()), "It contains no submission.");
+                }
+            } else {
+                throw new CalledWronglyException("There is no file or folder " + source
+                        + ". Name a folder that contains a folder for each student, with .java files.");
+            }
+        }
+        all.addReceived();
+        if (all.submissions.isEmpty()) {
+            throw new CalledWronglyException("The folder " + sources.get(0)
+                    + " contains no programs. It must contain a folder for each student, such as "
+                    + sources.get(0).resolve("anna") + ", with files such as "
+                    + exercises.get(0).className() + JAVA + ", or the files that students have sent.");
+        }
+        return all;
+    }
+
+    private void addAll(Path folder, Path results) throws IOException {
         try (Stream<Path> entries = Files.list(folder)) {
-            Path own = results.toAbsolutePath().normalize();
             for (Path entry : entries.sorted().toList()) {
-                if (!entry.toAbsolutePath().normalize().equals(own)) {
-                    all.add(entry);
+                if (!entry.toAbsolutePath().normalize().equals(results)) {
+                    add(entry);
                 }
             }
         }
-        if (all.submissions.isEmpty()) {
-            throw new CalledWronglyException(
-                    "The folder " + folder + " contains no programs. It must contain a folder for each"
-                            + " student, such as " + folder.resolve("anna") + ", with files such as "
-                            + exercises.get(0).className() + JAVA + ".");
-        }
-        return all;
     }
 
     /** Returns the programs of all students, sorted by name, with at most one program for each exercise. */
@@ -78,21 +96,23 @@ final class ClassFolder {
         return Collections.unmodifiableMap(troubles);
     }
 
-    private void add(Path entry) throws IOException {
+    /** Adds a folder or file, and returns whether it contains a submission or something that must be reported. */
+    private boolean add(Path entry) throws IOException {
         String name = String.valueOf(entry.getFileName());
         if (name.startsWith(".")) {
-            return;
+            return false;
         }
         Optional<String> unreadable = PathEncoding.problem(entry.toString());
         if (unreadable.isPresent()) {
             trouble(name, unreadable.get());
-            return;
-        }
-        if (name.endsWith(JAVA) && !Files.isDirectory(entry)) {
+        } else if (name.endsWith(JAVA) && !Files.isDirectory(entry)) {
             addFlat(name, entry);
         } else if (Files.isDirectory(entry) || Files.isSymbolicLink(entry)) {
             addStudent(name, entry);
+        } else {
+            return HandInFile.read(entry, received);
         }
+        return true;
     }
 
     private void addStudent(String student, Path folder) throws IOException {
@@ -103,6 +123,38 @@ final class ClassFolder {
             trouble(student, String.valueOf(refused.getMessage()));
             return;
         }
+        addPrograms(student, copy);
+    }
+
+    private void addReceived() throws IOException {
+        Set<String> taken = submissions.keySet().stream()
+                .map(student -> student.toLowerCase(Locale.ROOT))
+                .collect(Collectors.toSet());
+        for (HandIn work : received.accepted()) {
+            String student = work.student();
+            Optional<String> unreadable = PathEncoding.problem(student);
+            if (unreadable.isPresent()) {
+                trouble(student, unreadable.get());
+            } else if (taken.contains(student.toLowerCase(Locale.ROOT))) {
+                trouble(student, "There is another submission with this name; the one that was sent was not graded.");
+            } else {
+                unpack(work, copies.resolve(student));
+                addPrograms(student, copies.resolve(student));
+            }
+        }
+        received.troubles().forEach(this::trouble);
+    }
+
+    /** Writes the files of a submission, whose names {@link HandIn} has checked. */
+    private static void unpack(HandIn work, Path folder) throws IOException {
+        for (Map.Entry<String, String> file : work.files().entrySet()) {
+            Path copy = folder.resolve(file.getKey());
+            Files.createDirectories(Objects.requireNonNull(copy.getParent()));
+            Files.writeString(copy, file.getValue());
+        }
+    }
+
+    private void addPrograms(String student, Path copy) throws IOException {
         List<Path> programs = new SubmittedFolder(copy, place -> false)
                 .files().stream().filter(ClassFolder::isProgram).toList();
         for (Path program : programs) {

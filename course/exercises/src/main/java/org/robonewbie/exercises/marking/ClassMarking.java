@@ -29,7 +29,8 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * Grades the programs of all students in a course in parallel, writes a table of grades and checks for plagiarism. Grades are
  * stored: running the command again resumes an interrupted run and grades only programs that have changed.
  *
- * @param folder folder that contains a subfolder for each student, or files such as {@code anna_Kick.java}
+ * @param sources folders that contain a subfolder for each student, files such as {@code anna_Kick.java}, or files and links
+ *     that students of the web edition have sent; or such files
  * @param exercises the exercises to grade
  * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades
@@ -38,7 +39,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param progress receives a line for each grade
  */
 public record ClassMarking(
-        Path folder,
+        List<Path> sources,
         List<Exercise> exercises,
         int seeds,
         Path results,
@@ -52,8 +53,9 @@ public record ClassMarking(
     private static final List<String> NESTED_TOO_DEEPLY =
             List.of("robonewbie: The compiler cannot read ", "The system is out of resources");
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public ClassMarking {
+        sources = List.copyOf(sources);
         exercises = List.copyOf(exercises);
     }
 
@@ -72,7 +74,7 @@ public record ClassMarking(
                         + ". Wait until it ends, or choose another folder with --results."));
         try (lock;
                 TemporaryFolder copies = TemporaryFolder.create("class")) {
-            ClassFolder all = ClassFolder.read(folder, exercises, copies.path(), results);
+            ClassFolder all = ClassFolder.read(sources, exercises, copies.path(), results);
             return run(all, new KeptMarks(kept, JudgesKey.ofUser()));
         }
     }

@@ -52,16 +52,21 @@ record ClassTable(
         @media print { body { margin: 0; } }
         """;
 
+    private static final String PAGE = "grades.html";
+
     private static final String IDENTICAL = "identical files";
 
     /** Writes all files into a folder and returns the HTML page. */
     Path write(Path folder) throws IOException {
-        AtomicFile.write(folder.resolve("grades.csv"), csv());
-        AtomicFile.write(folder.resolve("findings.csv"), findings());
-        AtomicFile.write(folder.resolve("copies.csv"), copiesCsv());
-        Path page = folder.resolve("grades.html");
-        AtomicFile.write(page, html());
-        return page;
+        for (Map.Entry<String, String> file : files().entrySet()) {
+            AtomicFile.write(folder.resolve(file.getKey()), file.getValue());
+        }
+        return folder.resolve(PAGE);
+    }
+
+    /** Returns the texts of all files by name. */
+    Map<String, String> files() {
+        return Map.of("grades.csv", csv(), "findings.csv", findings(), "copies.csv", copiesCsv(), PAGE, html());
     }
 
     /** Summarises the plagiarism check in sentences. */

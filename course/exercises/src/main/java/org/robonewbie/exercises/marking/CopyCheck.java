@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.TextFile;
@@ -66,18 +65,34 @@ final class CopyCheck {
         }
     }
 
-    private record Program(String student, String text, SourceShape shape) {}
+    /**
+     * A program to compare.
+     *
+     * @param student name of the student
+     * @param exercise the exercise
+     * @param text source of the program
+     */
+    record Program(String student, Exercise exercise, String text) {}
+
+    private record Shaped(String student, String text, SourceShape shape) {}
+
+    /** Reads the programs, and compares each with the other programs for the same exercise. */
+    static Result of(List<Submission> submissions) {
+        return ofPrograms(submissions.stream()
+                .map(each -> new Program(each.student(), each.exercise(), text(each)))
+                .toList());
+    }
 
     /** Compares each program with the other programs for the same exercise. */
-    static Result of(List<Submission> submissions) {
+    static Result ofPrograms(List<Program> programs) {
         List<Pair> pairs = new ArrayList<>();
         List<Comparison> comparisons = new ArrayList<>();
-        submissions.stream()
-                .map(Submission::exercise)
+        programs.stream()
+                .map(Program::exercise)
                 .distinct()
                 .forEach(exercise -> comparisons.add(compare(
                         exercise,
-                        submissions.stream()
+                        programs.stream()
                                 .filter(each -> each.exercise().equals(exercise))
                                 .toList(),
                         pairs)));
@@ -87,16 +102,16 @@ final class CopyCheck {
         return new Result(pairs, comparisons);
     }
 
-    private static Comparison compare(Exercise exercise, List<Submission> submissions, List<Pair> pairs) {
+    private static Comparison compare(Exercise exercise, List<Program> submitted, List<Pair> pairs) {
         SourceShape given = SourceShape.of(exercise.startCode());
         String start = plain(exercise.startCode());
-        List<Program> programs = submissions.stream()
-                .map(each -> new Program(each.student(), plain(text(each)), SourceShape.of(text(each))))
+        List<Shaped> programs = submitted.stream()
+                .map(each -> new Shaped(each.student(), plain(each.text()), SourceShape.of(each.text())))
                 .toList();
-        List<Program> changed =
+        List<Shaped> changed =
                 programs.stream().filter(each -> !each.text().equals(start)).toList();
         for (int i = 0; i < changed.size(); i++) {
-            for (Program second : changed.subList(i + 1, changed.size())) {
+            for (Shaped second : changed.subList(i + 1, changed.size())) {
                 compare(exercise, given, changed.get(i), second).ifPresent(pairs::add);
             }
         }
@@ -109,7 +124,7 @@ final class CopyCheck {
                 programs.size() - changed.size());
     }
 
-    private static Optional<Pair> compare(Exercise exercise, SourceShape given, Program first, Program second) {
+    private static Optional<Pair> compare(Exercise exercise, SourceShape given, Shaped first, Shaped second) {
         boolean identical = first.text().equals(second.text());
         boolean comparable = isComparable(first, given) && isComparable(second, given);
         double likeness = identical ? 1 : comparable ? first.shape().similarityTo(second.shape(), given) : 0;
@@ -124,16 +139,16 @@ final class CopyCheck {
                         identical));
     }
 
-    private static boolean isComparable(Program program, SourceShape given) {
+    private static boolean isComparable(Shaped program, SourceShape given) {
         return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
     }
 
     /** Normalises what editors may change: line endings, a byte order mark and trailing whitespace. */
     private static String plain(String text) {
         return text.replace("\uFEFF", "")
-                .lines()
-                .map(String::stripTrailing)
-                .collect(Collectors.joining("\n"))
+                .replace("\r\n", "\n")
+                .replace('\r', '\n')
+                .replaceAll("[^\\S\\n]+\\n", "\n")
                 .strip();
     }
 

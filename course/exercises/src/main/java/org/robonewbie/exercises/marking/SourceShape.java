@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.lang.model.SourceVersion;
 
 /**
  * Token n-grams of a program, ignoring comments, layout, numbers and the names that its author has chosen. Comparing n-grams
@@ -21,16 +20,30 @@ record SourceShape(Set<String> runs, List<String> numbers) {
     /** Number of tokens in an n-gram: shorter ones occur in every program, longer ones break at every change. */
     private static final int LENGTH = 9;
 
+    /** Groups of {@link #WORD}; the web edition has no named ones. */
+    private static final int COMMENT = 1;
+
+    private static final int TEXT = 2;
+    private static final int NUMBER = 3;
+
     private static final Pattern WORD = Pattern.compile("""
-            (?<comment>//[^\\n]*|/\\*(?s:.*?)(?:\\*/|\\z))\
-            |(?<text>\"""(?s:.*?)\"""|"(?:\\\\.|[^"\\\\\\n])*+"|'(?:\\\\.|[^'\\\\\\n])*+')\
-            |(?<number>\\.?[0-9](?:[eE][-+]|[0-9a-zA-Z_.])*+)\
-            |(?<name>[\\p{L}_$][\\p{L}\\p{N}_$]*)\
-            |(?<sign>->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
+            (//[^\\n]*|/\\*(?s:.*?)(?:\\*/|\\z))\
+            |(\"""(?s:.*?)\"""|"(?:\\\\.|[^"\\\\\\n])*+"|'(?:\\\\.|[^'\\\\\\n])*+')\
+            |(\\.?[0-9](?:[eE][-+]|[0-9a-zA-Z_.])*+)\
+            |(\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*)\
+            |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
     /** Keywords that, like a class name, may precede a declared name as its type. */
     private static final Set<String> PRIMITIVE_TYPES =
             Set.of("boolean", "byte", "char", "double", "float", "int", "long", "short", "void");
+
+    /** Other words that cannot be names. The class {@code javax.lang.model.SourceVersion} is missing in the web edition. */
+    private static final Set<String> KEYWORDS = Set.of(
+            ("abstract assert break case catch class const continue default do else enum extends final finally for goto if"
+                            + " implements import instanceof interface native new package private protected public return"
+                            + " static strictfp super switch synchronized this throw throws transient try volatile while _"
+                            + " true false null")
+                    .split(" "));
 
     private static final Set<String> TYPE_HEADS = Set.of("class", "interface", "enum", "record");
     private static final Set<String> AFTER_A_DECLARED_NAME =
@@ -48,12 +61,12 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         List<String> words = new ArrayList<>();
         List<String> numbers = new ArrayList<>();
         for (Matcher matcher = WORD.matcher(source); matcher.find(); ) {
-            if (matcher.group("number") != null) {
+            if (matcher.group(NUMBER) != null) {
                 numbers.add(matcher.group());
                 words.add("0");
-            } else if (matcher.group("text") != null) {
+            } else if (matcher.group(TEXT) != null) {
                 words.add("\"\"");
-            } else if (matcher.group("comment") == null) {
+            } else if (matcher.group(COMMENT) == null) {
                 words.add(matcher.group());
             }
         }
@@ -119,7 +132,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
     }
 
     private static boolean isName(String word) {
-        return SourceVersion.isName(word) || PRIMITIVE_TYPES.contains(word);
+        return Character.isJavaIdentifierStart(word.codePointAt(0)) && !KEYWORDS.contains(word);
     }
 
     private static Set<String> runs(List<String> words) {

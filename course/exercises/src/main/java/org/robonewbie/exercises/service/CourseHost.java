@@ -40,6 +40,11 @@ public interface CourseHost {
      */
     record Status(State state, int port, Grade grade, String output) {}
 
+    /** {@return whether an agent that the student starts can be graded} */
+    default boolean acceptsAgents() {
+        return true;
+    }
+
     /** {@return saved Java files that could solve an exercise} */
     List<String> programs();
 

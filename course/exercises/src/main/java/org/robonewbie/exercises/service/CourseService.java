@@ -148,6 +148,7 @@ public final class CourseService implements AutoCloseable {
         json.addProperty("language", language.code());
         json.add("lessons", lessons);
         json.add("programs", array(host.programs()));
+        json.addProperty("acceptsAgents", host.acceptsAgents());
         json.add("standings", standings);
         json.add("firstMinute", new FirstMinuteWriter(language, reached).json());
         return json;

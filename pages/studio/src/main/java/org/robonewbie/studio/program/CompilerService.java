@@ -63,4 +63,9 @@ public interface CompilerService {
      * @throws IllegalArgumentException if this file cannot be run; the message says what to do
      */
     Optional<RunningProgram> start(Path file, int port, Runnable beforeStart) throws IOException;
+
+    /** {@return the program that runs when the studio opens, if there is one} */
+    default Optional<FirstProgram> first() {
+        return Optional.empty();
+    }
 }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -174,6 +175,10 @@ public final class ProgramApi extends ApiHandler {
         json.add(
                 "examples",
                 GSON.toJsonTree(compiler.map(CompilerService::examples).orElse(List.of())));
+        compiler.flatMap(CompilerService::first)
+                .filter(first -> first.program().isRunning())
+                .ifPresent(first ->
+                        json.add("first", GSON.toJsonTree(Map.of("path", first.path(), "example", first.example()))));
         return json;
     }
 }

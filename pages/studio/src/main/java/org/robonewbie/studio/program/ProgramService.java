@@ -10,13 +10,17 @@ final class ProgramService implements AutoCloseable {
 
     private final CompilerService compiler;
     private final Arena arena;
-    private Optional<RunningProgram> running = Optional.empty();
-    private volatile ProgramRun last = ProgramRun.NONE;
+    private Optional<RunningProgram> running;
+    private volatile ProgramRun last;
     private long starts;
 
     ProgramService(CompilerService compiler, Arena arena) {
         this.compiler = compiler;
         this.arena = arena;
+        this.running = compiler.first().map(FirstProgram::running);
+        this.last = compiler.first()
+                .map(first -> new ProgramRun(0, State.RUNNING, first.path(), "", 0))
+                .orElse(ProgramRun.NONE);
     }
 
     /**

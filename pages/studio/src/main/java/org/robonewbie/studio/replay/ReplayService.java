@@ -5,7 +5,6 @@ import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.util.List;
 import java.util.function.UnaryOperator;
-import java.util.regex.Pattern;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.file.RecordingAbout;
@@ -34,7 +33,6 @@ public final class ReplayService implements PageService {
     /** Explains that a recording was not found. */
     public static final String GONE = "This recording no longer exists. Choose another one.";
 
-    private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N} _.,()+-]{0,79}");
     private static final List<String> FILE_ENDINGS = List.of(RecordingRepository.ENDING, AtomicFile.UNFINISHED);
     private static final long TIME_LIMIT_MILLIS = 250;
 
@@ -182,7 +180,7 @@ public final class ReplayService implements PageService {
             return;
         }
         boolean looksLikeFile = FILE_ENDINGS.stream().anyMatch(to::endsWith);
-        if (!NAME.matcher(to).matches() || looksLikeFile || !FileName.isPortable(to)) {
+        if (looksLikeFile || !FileName.isPlain(to, " _.,()+-", FileName.MAX_CHARACTERS)) {
             throw new IllegalArgumentException(
                     "A recording cannot be named \"" + to
                             + "\". Use at most 80 letters, digits, spaces and . , ( ) + - _, beginning with a letter or digit.");

@@ -134,7 +134,7 @@ public final class RunWatch implements RecordingState.Listener {
                 "right", state.teams().get(1),
                 "score", state.score(),
                 "robots", robots,
-                "pitch", List.of(size("FieldLength", 12), size("FieldWidth", 8)),
+                "pitch", List.of(size(header, "FieldLength", 12), size(header, "FieldWidth", 8)),
                 "ball", ball.places(),
                 "ways", Json.array(ways.entrySet().stream().map(this::way)),
                 "events", events,
@@ -162,9 +162,9 @@ public final class RunWatch implements RecordingState.Listener {
         return Json.object("type", robot.type().name(), "number", robot.number(), "team", robot.team());
     }
 
-    private double size(String name, double otherwise) {
+    private static double size(JsonObject header, String name, double otherwise) {
         try {
-            double value = Double.parseDouble(String.valueOf(state.header().get(name)));
+            double value = Double.parseDouble(header.has(name) ? header.get(name).getAsString() : "");
             return value > 0 && Double.isFinite(value) ? value : otherwise;
         } catch (NumberFormatException missingOrDamaged) {
             return otherwise;

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import java.util.regex.Pattern;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.json.Json;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -26,7 +25,7 @@ public final class SceneService implements PageService {
     /** End of the error message for a finished recording that does not contain the requested cycle. */
     public static final String ENDS_BEFORE = ": it ends earlier, or is damaged at that point. Choose an earlier cycle.";
 
-    private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N} _.-]{0,59}");
+    private static final int MAX_NAME_CHARACTERS = 60;
     private static final String DONE = "{}";
 
     private final SceneStore store;
@@ -127,7 +126,7 @@ public final class SceneService implements PageService {
 
     /** Returns whether a scene can have a name. */
     static boolean isName(String name) {
-        return NAME.matcher(name).matches() && FileName.isPortable(name);
+        return FileName.isPlain(name, " _.-", MAX_NAME_CHARACTERS);
     }
 
     /**

@@ -14,7 +14,7 @@ import { banner, notes, reportMistakes, showBanner } from './panels/messages.js'
 import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomController } from './panels/room-controller.js';
 import { paced } from './panels/pace.js';
-import { roomsPanel } from './panels/rooms.js';
+import { offerRoom, roomsPanel } from './panels/rooms.js';
 import { scenePanel } from './panels/scene-panel.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
@@ -23,6 +23,7 @@ import { timeLineActions, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { welcomeNewcomer } from './panels/welcome.js';
 import { Workspace } from './panels/workspace.js';
+import { ProgramService } from './program/program-service.js';
 import { matchEventText } from './state/match-events.js';
 import { message } from './state/studio-state.js';
 
@@ -79,8 +80,18 @@ export class Studio {
       this.workspace.markMore();
     }, LOOK_MILLISECONDS);
     this.connection.open();
+    this.#offerPrograms();
     welcomeNewcomer().catch((error) => this.note(error.message));
     requestAnimationFrame(this.#turn);
+  }
+
+  /** Shows the link to the program room in a studio that runs programs. */
+  async #offerPrograms() {
+    try {
+      offerRoom('#program', (await new ProgramService().list()).open);
+    } catch (error) {
+      this.note(/** @type {Error} */ (error).message);
+    }
   }
 
   get state() {
@@ -166,13 +177,10 @@ export class Studio {
       robots: () => this.session.shown.scene?.robots ?? [],
       isPitchEmpty: () => this.state.scene?.puppets === true && this.state.scene.robots.length === 0,
       goTo: (seconds) => this.session.travel((cursor) => cursor.goTo(seconds * CYCLES_PER_SECOND)),
-      fold: (panel) => this.workspace.split.toggle(panel),
     });
   }
 
   #build() {
-    const shadows = this.options.get('shadows') === 'on';
-    const setShadows = this.#withRedraw((/** @type {boolean} */ on) => this.view.setShadows(on));
     const puppet = new PuppetPanel({
       now: () => this.state,
       chosen: () => this.camera.chosen,
@@ -185,8 +193,7 @@ export class Studio {
       transportPanel(this.time),
       cameraPanel(this.camera, {
         choose: this.field.chooseCamera,
-        shadows,
-        setShadows,
+        view: this.view,
         show: this.field.showBeside,
       }),
       trainerPanel(this.send),
@@ -199,7 +206,10 @@ export class Studio {
     this.diagnostics = new DiagnosticsList(this.#lookInside);
     this.puppet = puppet;
     this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
-    setShadows(shadows);
+    const shadows = this.options.get('shadows');
+    if (shadows) {
+      this.view.setShadows(shadows === 'on');
+    }
   }
 
   #listen() {
@@ -271,7 +281,7 @@ export class Studio {
     } else if (!this.chooser.fixed) {
       this.view.refine(now);
     }
-    if (this.workspace.split.isOn && this.robot && this.room() !== 'program') {
+    if (this.workspace.showsRobot && this.robot) {
       this.workspace.agreeOnRobot(this.camera, this.robot.watch);
       this.robot.turn(this.session.shown, this.cursor, now);
     }
@@ -299,7 +309,9 @@ export class Studio {
   #drawPanels(now) {
     const shown = this.session.onPanels;
     this.#draws.forEach((draw) => draw(shown, now));
-    this.drawTimeLine(this.session.shown.tense, this.room() === 'replay');
+    const { tense } = this.session.shown;
+    this.drawTimeLine(tense, ['motion', 'replay'].includes(this.room()));
+    byId('score-board').hidden = this.room() === 'replay' && tense !== 'recorded';
     byId('gone').hidden = shown.connection !== 'lost' || !byId('field-room').hidden;
   }
 }

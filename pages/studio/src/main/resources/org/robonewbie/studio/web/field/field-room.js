@@ -2,11 +2,11 @@
 import { BoardController } from '../panels/board-controller.js';
 import { DrawingController } from '../panels/drawing-controller.js';
 import { byId, setText } from '../panels/elements.js';
-import { QUALITIES, qualityIndex } from '../state/quality.js';
+import { QUALITIES, QualityChooser, qualityIndex, qualityRange } from '../state/quality.js';
 import { CameraController, CAMERAS } from './camera-controller.js';
+import { FieldView } from './field-view.js';
 import { Ghosts } from './ghosts.js';
 import { PointerController } from './pointer-controller.js';
-import { chooserFor, openView } from './open-view.js';
 
 /** @typedef {import('./camera-controller.js').CameraMode} CameraMode */
 
@@ -24,7 +24,7 @@ export class FieldRoom {
   constructor(session, quality, { isSteered, send }) {
     this.session = session;
     const asked = qualityIndex(quality);
-    this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
+    this.view = new FieldView(byId('stage'), QUALITIES[asked < 0 ? 1 : asked]);
     this.chooser = chooserFor(this.view, asked);
     this.ghosts = new Ghosts(this.view.scene, this.view.quality);
     this.cameraController = new CameraController(this.view.camera, () => this.view.free);
@@ -46,7 +46,10 @@ export class FieldRoom {
   };
 
   /** @param {import('../panels/side.js').Picture} shown */
-  showBeside = ({ names, trail }) => {
+  showBeside = ({ names, trail, shadows }) => {
+    if (shadows !== undefined) {
+      this.view.setShadows(shadows);
+    }
     this.view.names.isOn = names;
     this.view.trail.isOn = trail;
     this.session.touch();
@@ -121,6 +124,17 @@ export class FieldRoom {
       this.cameraController.setScene(scene);
     }
   }
+}
+
+/** @param {FieldView} view @param {number} asked index of the quality requested by the address, negative for none */
+function chooserFor(view, asked) {
+  const isFixed = asked >= 0;
+  const range = isFixed ? { first: asked, highest: asked } : qualityRange(view.graphics);
+  const chooser = new QualityChooser(range, isFixed);
+  if (!isFixed) {
+    view.setQuality(chooser.quality);
+  }
+  return chooser;
 }
 
 /** @param {string} tip hint for the mouse; empty for none */

@@ -8,7 +8,7 @@ import { Goals } from './goals.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
-import { opaqueRenderer } from './renderer.js';
+import { graphicsOf, isWebGl, opaqueRenderer } from './renderer.js';
 import { Ring } from './ring.js';
 import { InstancedRobots } from './instanced-robots.js';
 import { SoftShadows } from './soft-shadows.js';
@@ -55,7 +55,8 @@ export class FieldView {
     this.board = new Board();
     this.scene.add(this.goals.group, this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
-    this.realShadows = false;
+    /** Whether the user wants real shadows; otherwise the quality decides. @type {boolean | undefined} */
+    this.wantedShadows = undefined;
     /** @type {Scene | undefined} */
     this.content = undefined;
     /** @type {THREE.Group | undefined} */
@@ -66,25 +67,25 @@ export class FieldView {
     this.lastDrawn = Infinity;
     /** Margins covered by panels, in page pixels. */
     this.covered = { left: 0, top: 0, right: 0, bottom: 0 };
-    this.renderer = this.#newRenderer();
+    this.renderer = opaqueRenderer();
+    this.renderer.info.autoReset = false;
+    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    stage.append(this.renderer.domElement);
     this.setQuality(quality);
   }
 
   /** @returns {string} the browser's description of the graphics hardware */
   get graphics() {
-    const gl = this.renderer.getContext();
-    const info = gl.getExtension('WEBGL_debug_renderer_info');
-    return info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
+    return graphicsOf(this.renderer);
+  }
+
+  /** Whether the sun can cast shadows. */
+  get canShade() {
+    return isWebGl(this.renderer);
   }
 
   /** @param {Quality} quality */
   setQuality(quality) {
-    if (quality.antialias !== this.quality.antialias) {
-      this.quality = quality;
-      this.renderer.dispose();
-      this.renderer.domElement.remove();
-      this.renderer = this.#newRenderer();
-    }
     this.quality = quality;
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
@@ -94,21 +95,23 @@ export class FieldView {
     if (this.content) {
       this.#layPitch(this.content);
     }
-    this.setShadows(this.realShadows);
+    this.#drawShadows();
     this.resize();
   }
 
-  #newRenderer() {
-    const renderer = opaqueRenderer(this.quality.antialias);
-    renderer.info.autoReset = false;
-    renderer.shadowMap.type = THREE.PCFSoftShadowMap;
-    this.stage.append(renderer.domElement);
-    return renderer;
+  /** @param {boolean} wanted whether the sun casts shadows at every quality; otherwise soft spots are drawn */
+  setShadows(wanted) {
+    this.wantedShadows = wanted;
+    this.#drawShadows();
   }
 
-  /** @param {boolean} real whether the sun casts shadows; otherwise soft spots are drawn */
-  setShadows(real) {
-    this.realShadows = real;
+  /** Whether the sun casts shadows. */
+  get realShadows() {
+    return this.canShade && (this.wantedShadows ?? this.quality.shadows);
+  }
+
+  #drawShadows() {
+    const real = this.realShadows;
     this.renderer.shadowMap.enabled = real;
     this.light.sun.castShadow = real;
     this.softShadows.group.visible = !real;
@@ -118,6 +121,7 @@ export class FieldView {
     }
     this.robots.setShadows(real);
     this.things.setShadows(real);
+    this.goals.setShadows(real);
     this.scene.traverse((thing) => {
       const material = /** @type {THREE.Mesh} */ (thing).material;
       if (material instanceof THREE.Material) {
@@ -138,8 +142,8 @@ export class FieldView {
   /** @param {Scene} content teams, robots and field */
   setScene(content) {
     if (JSON.stringify(content.field) !== JSON.stringify(this.content?.field)) {
-      this.#layPitch(content);
       this.goals.setField(content.field);
+      this.#layPitch(content);
     }
     this.content = content;
     this.robots.setScene(content);
@@ -157,7 +161,7 @@ export class FieldView {
     }
     this.pitch = pitch(content.field, this.palette, this.quality.glossy);
     this.scene.add(this.pitch);
-    this.setShadows(this.realShadows);
+    this.#drawShadows();
   }
 
   /** Fits the picture to the page and redraws it immediately, because a resized canvas is black until it is drawn. */

@@ -1,6 +1,7 @@
 /** The two goals with their nets. A goal between the camera and the followed robot fades out. */
 import * as THREE from 'three';
 import { hidesRobot } from '../state/goal-occlusion.js';
+import { SUN } from './light.js';
 
 /** @typedef {import('../live/state-frame.js').Field} Field */
 
@@ -11,6 +12,34 @@ const NET_OPACITY = 0.6;
 /** Opacity of a faded goal, which can still be made out. */
 const MIN_OPACITY = 0.06;
 const FADE_SECONDS = 0.3;
+
+/** Flattens a goal to its shadow, a little above the lines on the ground. */
+const ONTO_GROUND = new THREE.Matrix4().set(
+  1,
+  0,
+  -SUN.x / SUN.z,
+  0,
+  0,
+  1,
+  -SUN.y / SUN.z,
+  0,
+  0,
+  0,
+  0,
+  0.003,
+  0,
+  0,
+  0,
+  1,
+);
+const SHADOW = {
+  color: 0x000a06,
+  transparent: true,
+  depthWrite: false,
+  polygonOffset: true,
+  polygonOffsetFactor: -3,
+  polygonOffsetUnits: -3,
+};
 
 export class Goals {
   constructor() {
@@ -27,6 +56,13 @@ export class Goals {
     this.group.add(...this.goals.map(({ group }) => group));
   }
 
+  /** @param {boolean} real whether the sun casts shadows; otherwise flattened goals are drawn */
+  setShadows(real) {
+    this.goals.forEach(({ shadow }) => {
+      shadow.visible = !real;
+    });
+  }
+
   /**
    * Fades goals out and in.
    *
@@ -40,16 +76,23 @@ export class Goals {
 }
 
 class Goal {
-  #bars = new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044, transparent: true });
-  #threads = new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: NET_OPACITY });
-
   /** @param {Field} field @param {number} end -1 for the left goal, 1 for the right goal */
   constructor(field, end) {
     this.field = field;
     this.end = end;
     this.opacity = 1;
+    const bars = new THREE.MeshLambertMaterial({ color: 0xfafcfd, emissive: 0x3c4044, transparent: true });
+    const threads = new THREE.LineBasicMaterial({ color: 0xffffff, transparent: true, opacity: NET_OPACITY });
+    const darkBars = new THREE.MeshBasicMaterial({ ...SHADOW, opacity: 0.3 });
+    const darkThreads = new THREE.LineBasicMaterial({ ...SHADOW, opacity: 0.12 });
+    /** Materials with their opacities in a goal that is not faded. @type {Array<[THREE.Material, number]>} */
+    this.looks = [bars, threads, darkBars, darkThreads].map((look) => [look, look.opacity]);
+    this.shadow = new THREE.Group();
+    this.shadow.add(frame(field, end, darkBars), net(field, end, darkThreads));
+    this.shadow.matrixAutoUpdate = false;
+    this.shadow.matrix.copy(ONTO_GROUND);
     this.group = new THREE.Group();
-    this.group.add(frame(field, end, this.#bars), net(field, end, this.#threads));
+    this.group.add(frame(field, end, bars), net(field, end, threads), this.shadow);
   }
 
   /** @param {import('../state/view-point.js').ViewPoint | undefined} view @param {number} seconds */
@@ -57,8 +100,9 @@ class Goal {
     const wanted = view && hidesRobot(this.field, this.end, view) ? MIN_OPACITY : 1;
     const step = seconds / FADE_SECONDS;
     this.opacity += Math.max(-step, Math.min(step, wanted - this.opacity));
-    this.#bars.opacity = this.opacity;
-    this.#threads.opacity = NET_OPACITY * this.opacity;
+    this.looks.forEach(([look, opacity]) => {
+      look.opacity = opacity * this.opacity;
+    });
     return this.opacity !== wanted;
   }
 }

@@ -136,6 +136,7 @@ export class InstancedRobots {
     };
     const mesh = new THREE.Mesh(geometry, material);
     mesh.customDepthMaterial = this.depthMaterial;
+    mesh.userData.table = this.table;
     mesh.frustumCulled = false;
     mesh.visible = false;
     mesh.renderOrder = BEFORE_GROUND;

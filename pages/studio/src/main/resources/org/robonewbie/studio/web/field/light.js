@@ -41,7 +41,12 @@ export const PALETTES = {
   },
 };
 
-const SHADOW_REACH = 2;
+/** Direction of the sun. */
+export const SUN = new THREE.Vector3(3, -5, 8);
+
+/** Half the width of the area with shadows, per metre of the camera's distance. */
+const SHADOW_REACH = 0.6;
+const MIN_SHADOW_METRES = 2;
 const SKY_RADIUS = 150;
 const AFTER_ALL_GROUND = 2;
 
@@ -56,14 +61,6 @@ export class Light {
     this.sun.shadow.radius = 3;
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.01;
-    Object.assign(this.sun.shadow.camera, {
-      left: -SHADOW_REACH,
-      right: SHADOW_REACH,
-      top: SHADOW_REACH,
-      bottom: -SHADOW_REACH,
-      near: 1,
-      far: 20,
-    });
     this.dome = skyDome();
     scene.add(this.dome, this.sky, this.sun, this.sun.target);
     this.shine([0, 0, 0], new THREE.Vector3());
@@ -85,8 +82,11 @@ export class Light {
    */
   shine(target, eye) {
     this.dome.position.copy(eye);
-    this.sun.position.set(target[0] + 3, target[1] - 5, 8);
     this.sun.target.position.set(target[0], target[1], 0);
+    this.sun.position.addVectors(this.sun.target.position, SUN);
+    const reach = Math.max(MIN_SHADOW_METRES, SHADOW_REACH * eye.distanceTo(this.sun.target.position));
+    Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 1, far: 40 });
+    this.sun.shadow.camera.updateProjectionMatrix();
   }
 }
 
@@ -127,9 +127,12 @@ function paintDome(dome, palette) {
  * Creates the environment map of a bright room, which glossy shells reflect.
  *
  * @param {THREE.WebGLRenderer} renderer
- * @returns {THREE.Texture}
+ * @returns {THREE.Texture | null} null without WebGL
  */
 export function roomReflections(renderer) {
+  if (!(renderer instanceof THREE.WebGLRenderer)) {
+    return null;
+  }
   const room = new THREE.Scene();
   room.background = new THREE.Color(0x98a6b0);
   /** @param {number} x @param {number} y @param {number} z @param {number} size @param {number} glow */

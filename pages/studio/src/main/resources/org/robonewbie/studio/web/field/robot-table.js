@@ -75,6 +75,16 @@ export class RobotTable {
     this.values.set([colour.r, colour.g, colour.b, number], 4 * (this.width * (robot + 1) - 1));
   }
 
+  /** @param {number} robot @returns {{poses: THREE.Matrix4[], team: number[]}} the poses of its limbs and its team colour */
+  robot(robot) {
+    const row = this.values.subarray(4 * this.width * robot, 4 * this.width * (robot + 1));
+    const poses = Array.from({ length: (this.width - 1) / POINTS_PER_LIMB }, (_, limb) => {
+      const [a, b, c, d, e, f, g, h, i, j, k, l] = row.subarray(4 * POINTS_PER_LIMB * limb);
+      return new THREE.Matrix4(a, b, c, d, e, f, g, h, i, j, k, l, 0, 0, 0, 1);
+    });
+    return { poses, team: [...row.slice(-4, -1)] };
+  }
+
   /** Uploads the table to the graphics card before the next picture. */
   send() {
     if (this.uniform.value) {

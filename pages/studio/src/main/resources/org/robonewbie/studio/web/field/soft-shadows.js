@@ -53,7 +53,7 @@ export class SoftShadows {
         link: scene.models[type].links.findIndex(({ name }) => name === caster.link),
       })),
     );
-    const geometry = new THREE.PlaneGeometry(2, 2);
+    const geometry = new THREE.CircleGeometry(1, 20);
     this.darkness = new THREE.InstancedBufferAttribute(new Float32Array(this.places.length + 1), 1);
     geometry.setAttribute('darkness', this.darkness);
     this.group.clear();

@@ -228,9 +228,8 @@ export class Editor {
    */
   async take(document, name, notes) {
     await this.#begin(document, await this.drafts.newName());
-    const count = framesOf(this.state).length;
-    const taken = `${count} keyframes were imported from ${name}.`;
-    this.listener.note([taken, ...notes, 'Save them under a new name.'].join(' '));
+    const taken = `Keyframes imported from ${name}: ${framesOf(this.state).length}.`;
+    this.listener.note([taken, ...notes, 'Save the motion under a new name.'].join(' '));
     const request = this.requests;
     const isOriginal = isUndescribed(document) && (await this.#isMadeForOriginal(document));
     if (request === this.requests) {

@@ -89,8 +89,7 @@ class FilesPanel {
       })),
     ]);
     this.#own.hidden = this.#own.children.length === 0;
-    const none = this.#own.hidden ? 'None yet.' : 'None saved yet.';
-    this.#folder.textContent = list.own.length === 0 ? `${none} They are kept in ${list.folder}` : '';
+    this.#folder.textContent = `Saved in ${list.folder}`;
     this.#folder.hidden = list.own.length > 0;
     this.#leftOut.replaceChildren(...list.leftOut.map((sentence) => element('li', {}, sentence)));
     this.#leftOut.hidden = list.leftOut.length === 0;

@@ -4,7 +4,7 @@ import { CameraController } from '../field/camera-controller.js';
 import { rayAt } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
 import { ghostMaterial } from '../field/materials.js';
-import { opaqueRenderer } from '../field/renderer.js';
+import { isWebGl, opaqueRenderer } from '../field/renderer.js';
 import { InstancedRobots } from '../field/instanced-robots.js';
 import { LimbPaint } from './limb-paint.js';
 import { Marker } from './marker.js';
@@ -39,6 +39,7 @@ export class MotionStage {
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 160);
     this.camera.up.set(0, 0, 1);
     this.light = new Light(this.scene);
+    this.renderer = opaqueRenderer();
     this.robot = this.#instances(1);
     this.ghosts = this.#instances(2, ghostMaterial());
     this.ghosts.meshes.forEach((mesh) => {
@@ -49,7 +50,6 @@ export class MotionStage {
     this.paint = new LimbPaint(body);
     this.floor = new THREE.Group();
     this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.paint.group, this.floor);
-    this.renderer = opaqueRenderer(true);
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
@@ -139,7 +139,7 @@ export class MotionStage {
     const instances = new InstancedRobots(material);
     instances.setQuality({
       ...this.quality,
-      nearDetail: count === 1 ? 'fine' : 'coarse',
+      nearDetail: count === 1 && isWebGl(this.renderer) ? 'fine' : 'coarse',
       farDetail: 'coarse',
       nearMetres: 100,
       maxNear: 22,

@@ -25,8 +25,7 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const TRIAL = 'Try with physics';
 const TRIAL_HINT = 'Plays the motion on a simulated robot with mass and motors';
 
-const VERDICT_HINT =
-  'What can go wrong on a robot. “Balanced by 2 cm”: the centre of mass is 2 cm inside the edge of the feet; outside it, the robot tips over.';
+const VERDICT_HINT = 'What can go wrong on a robot. The centre of mass must be above the feet, or the robot tips over.';
 
 /** @type {Array<[value: string, text: string]>} */
 const STARTS = [
@@ -88,8 +87,9 @@ function millisField({ setTime, note }) {
 
 /** @param {HTMLInputElement} millis */
 function timeField(millis) {
-  const title = 'Time from the previous keyframe in milliseconds';
-  return element('label', { class: 'field', title }, 'Time', millis, 'ms');
+  const title = 'Time from the previous keyframe';
+  const name = element('span', {}, 'Time', element('span', { class: 'if-wide' }, ' to get there'));
+  return element('label', { class: 'field', title }, name, millis, 'ms');
 }
 
 /** @typedef {ReturnType<typeof partsOf>} Parts */
@@ -158,6 +158,6 @@ function balanceText(state) {
   const posture = postureNow(state);
   const { margin } = balanceOf(state.body, posesOf(state.body, posture, placed(state.body, posture, state.manner)));
   return Number.isFinite(margin)
-    ? `${margin >= 0 ? 'balanced by' : 'tips over by'} ${Math.abs(100 * margin).toFixed(1)} cm`
+    ? `${Math.abs(100 * margin).toFixed(1)} cm ${margin >= 0 ? 'inside' : 'outside'} the feet`
     : '';
 }

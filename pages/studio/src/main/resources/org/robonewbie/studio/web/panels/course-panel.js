@@ -1,9 +1,11 @@
 /** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
 import { ask } from '../live/server.js';
-import { hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import { byLevel, hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import { ClassLink } from './class-link.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
 import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
+import { offerRoom } from './rooms.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
@@ -39,6 +41,7 @@ export class CoursePanel {
     (code) => this.#attemptTo(() => this.#speak(code)),
   );
   #standings = new CourseStandings();
+  #classLink = new ClassLink();
   /** @type {ReturnType<typeof parts>} */
   #parts;
 
@@ -60,7 +63,7 @@ export class CoursePanel {
     this.#parts = parts(this.#help.element, ghost.label);
     const { back, here, write, start, stop, list, detail } = this.#parts;
     const head = element('div', { class: 'course-head' }, element('h2', {}, 'Exercises'), this.#language);
-    byId('course').append(head, this.#standings.element, list, detail);
+    byId('course').append(head, this.#standings.element, list, detail, this.#classLink.element);
     back.addEventListener('click', () => this.#choose(undefined));
     here.addEventListener('click', () => {
       location.hash = `#program/${this.#chosen?.name ?? ''}`;
@@ -74,8 +77,7 @@ export class CoursePanel {
 
   async #open() {
     await this.#refresh();
-    const link = document.querySelector(`#rooms a[href='${PLACE}']`);
-    link?.toggleAttribute('hidden', this.#lessons.length === 0);
+    offerRoom(PLACE, this.#lessons.length > 0);
     this.#choose(undefined);
     this.#show();
   }
@@ -106,6 +108,7 @@ export class CoursePanel {
     list.hidden = lesson !== undefined;
     detail.hidden = lesson === undefined;
     this.#standings.element.hidden = lesson !== undefined;
+    this.#classLink.element.hidden = lesson !== undefined;
     if (lesson) {
       this.#describe(lesson);
       this.#attemptTo(() => this.#refresh());
@@ -128,9 +131,10 @@ export class CoursePanel {
   }
 
   async #refresh() {
-    const { language, lessons, programs, standings } = await this.#ask('course');
+    const { language, lessons, programs, acceptsAgents, standings } = await this.#ask('course');
     this.#language.value = language;
-    this.#lessons = lessons;
+    this.#lessons = byLevel(lessons);
+    this.#classLink.show(this.#lessons);
     this.#parts.list.replaceChildren(...this.#lessons.map((lesson) => this.#entry(lesson)));
     if (standings) {
       this.#standings.show(standings);
@@ -142,14 +146,21 @@ export class CoursePanel {
       await this.#help.show(lesson.name);
       const { program, write } = this.#parts;
       const before = program.value;
-      setEntries(program, [
-        ...programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name])),
-        ['', 'An agent that I start myself'],
-      ]);
+      const entries = programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name]));
+      setEntries(program, acceptsAgents ? [...entries, ['', 'An agent that I start myself']] : entries);
+      this.#offerStart(program.options.length > 0);
       program.value = likelyProgram(lesson, programs) || (programs.includes(before) ? before : '');
       setText(write, `Create ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
     }
+  }
+
+  /** @param {boolean} isPossible whether there is a program to start */
+  #offerStart(isPossible) {
+    const { program, trials, start } = this.#parts;
+    [program, trials, start].forEach((each) => {
+      each.hidden = !isPossible;
+    });
   }
 
   async #write() {

@@ -51,7 +51,6 @@ export class RoomController {
    * @param {() => void} surroundings.goLive shows the present
    * @param {() => boolean} surroundings.hasClock whether the clock can be paused
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
-   * @param {(panel: import('../state/layout.js').PanelName) => void} surroundings.fold folds or unfolds a panel
    * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera returns the field's camera
    * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots returns the robots now on the pitch
    * @param {() => boolean} surroundings.isPitchEmpty whether the pitch has no robots and takes puppets
@@ -93,7 +92,7 @@ export class RoomController {
         program: () => this.#openProgram(),
       }[room]();
     } catch (error) {
-      this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
+      this.surroundings.note(`This room cannot be opened: ${/** @type {Error} */ (error).message}`);
     }
     this.opening.delete(room);
   }

@@ -1,19 +1,18 @@
 import { PANEL_TITLES } from '../state/layout.js';
-import { button, byId, element } from './elements.js';
+import { byId, element } from './elements.js';
 
 /**
- * Adds a panel to a room, below a title that collapses it.
+ * Adds a panel to a room.
  *
  * @param {'robot' | 'program'} room
  * @param {import('../state/layout.js').PanelName} name
- * @param {(panel: import('../state/layout.js').PanelName) => void} fold
  */
-export function sidePanel(room, name, fold) {
+export function sidePanel(room, name) {
   const title = PANEL_TITLES[name];
-  const look = { class: 'panel-title', 'aria-expanded': 'true' };
-  const head = button(title, 'Collapse or expand', () => fold(name), look);
   const inside = element('div', { class: 'panel-inside', id: `${room}-${name}` });
-  const made = element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, head, inside);
-  byId(`${room}-room`).append(made);
+  const head = element('h2', { class: 'panel-title' }, title);
+  byId(`${room}-room`).append(
+    element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, head, inside),
+  );
   return inside;
 }

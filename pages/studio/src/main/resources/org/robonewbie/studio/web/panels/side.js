@@ -9,7 +9,7 @@ import { keep, recall } from './memory.js';
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {import('../field/camera-controller.js').CameraController} CameraController
  * @typedef {import('../field/camera-controller.js').CameraMode} CameraMode
- * @typedef {{names: boolean, trail: boolean}} Picture overlays of the picture
+ * @typedef {{names: boolean, trail: boolean, shadows?: boolean}} Picture options of the picture; the quality decides about shadows by default
  */
 
 const PICTURE_KEY = 'robonewbie-picture';
@@ -18,8 +18,7 @@ const PICTURE_KEY = 'robonewbie-picture';
  * @param {CameraController} camera
  * @param {object} options
  * @param {(mode: CameraMode) => void} options.choose
- * @param {boolean} options.shadows
- * @param {(on: boolean) => void} options.setShadows
+ * @param {import('../field/field-view.js').FieldView} options.view
  * @param {(shown: Picture) => void} options.show
  * @returns {(state: StudioState) => void} function that updates the camera buttons
  */
@@ -29,11 +28,12 @@ export function cameraPanel(camera, options) {
     made.dataset.camera = mode;
     return made;
   });
-  const shadows = check('shadows', 'Real shadows', '', options.setShadows);
-  shadows.box.checked = options.shadows;
   const grid = element('div', { class: 'grid' }, ...buttons);
-  byId('cameras').append(element('h2', {}, 'Camera'), grid, shadows.label, ...pictureChecks(options.show));
+  const { shadows, names, trail } = pictureChecks(options.show);
+  shadows.label.hidden = !options.view.canShade;
+  byId('cameras').append(element('h2', {}, 'Camera'), grid, shadows.label, names.label, trail.label);
   return (state) => {
+    shadows.box.checked = options.view.realShadows;
     const robots = state.scene?.robots.length ?? 0;
     for (const each of buttons) {
       const mode = each.dataset.camera;
@@ -43,7 +43,7 @@ export function cameraPanel(camera, options) {
   };
 }
 
-/** @param {(shown: Picture) => void} show @returns {HTMLElement[]} check boxes whose state the browser stores */
+/** Creates check boxes whose state the browser stores. @param {(shown: Picture) => void} show */
 function pictureChecks(show) {
   /** @type {Picture} */
   const shown = { names: true, trail: true, ...recall(PICTURE_KEY, {}) };
@@ -52,6 +52,7 @@ function pictureChecks(show) {
     keep(PICTURE_KEY, shown);
     show(shown);
   };
+  const shadows = check('shadows', 'Real shadows', 'Shadows cast by the sun', (on) => set('shadows', on));
   const names = check('names', 'Names', 'Team and number above each robot', (on) => set('names', on));
   const trail = check('trail', 'Trail of the ball', 'Path of the ball over the last three seconds', (on) =>
     set('trail', on),
@@ -59,7 +60,7 @@ function pictureChecks(show) {
   names.box.checked = shown.names;
   trail.box.checked = shown.trail;
   show(shown);
-  return [names.label, trail.label];
+  return { shadows, names, trail };
 }
 
 /**

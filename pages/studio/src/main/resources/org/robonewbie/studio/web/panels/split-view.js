@@ -1,110 +1,89 @@
-/** Split view: panels side by side, with edges that can be moved with mouse and arrow keys; the browser stores the layout. */
-import { EDGE_PIXELS, LAYOUTS, placed, restoredLayout, toggled, widthOf, withEdgeMoved } from '../state/layout.js';
+/** Split view: panels side by side, with edges that can be moved with mouse and arrow keys; the browser stores the layout of each room. */
+import {
+  EDGE_PIXELS,
+  defaultLayout,
+  placed,
+  restoredLayout,
+  toggled,
+  widthOf,
+  withEdgeMoved,
+} from '../state/layout.js';
 import { element } from './elements.js';
 import { keep, recall } from './memory.js';
 
 /**
  * @typedef {import('../state/layout.js').PanelName} PanelName
+ * @typedef {import('../state/layout.js').PanelRoom} PanelRoom
  * @typedef {import('../state/layout.js').Edge} Edge
  */
 
-const KEY = 'robonewbie-layout';
+const KEY = 'robonewbie-panels';
 const KEY_STEP = 0.03;
 /** @type {Record<string, [number, number]>} steps to the right and down */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class SplitView {
-  /** Stored layouts by width. @type {Record<string, unknown>} */
+  /** Stored layouts by room and width. @type {Record<string, unknown>} */
   #kept = recall(KEY, {});
-  /** @type {import('../state/layout.js').Layout} */
-  #layout = LAYOUTS.understand.wide;
-  /** @type {import('../state/layout.js').PresetName} */
-  #preset = 'understand';
-  /** @type {import('../state/layout.js').Width | undefined} */
-  #width;
-  #isOn = false;
+  /** The room whose layout is shown. @type {PanelRoom} */
+  room = 'field';
   /** @type {HTMLElement[]} */
   #edges = [];
 
   /**
    * @param {HTMLElement} place container of all panels
-   * @param {() => Map<PanelName, HTMLElement>} panels existing panels, always including the 3D view
+   * @param {() => Map<PanelName, HTMLElement>} panels existing panels of the room, always including the 3D view
+   * @param {() => void} changed called after a change of the layout or the size; draws this view
    */
-  constructor(place, panels) {
+  constructor(place, panels, changed) {
     this.place = place;
     this.panels = panels;
-    new ResizeObserver(() => requestAnimationFrame(() => this.draw())).observe(place);
+    this.changed = changed;
+    new ResizeObserver(() => requestAnimationFrame(changed)).observe(place);
   }
 
-  /** Whether panels are shown next to the 3D view; otherwise the 3D view fills the page. */
-  get isOn() {
-    return this.#isOn;
+  get layout() {
+    return restoredLayout(this.#kept[this.#key], this.room, this.#width);
   }
 
-  /** @param {boolean} on */
-  set isOn(on) {
-    this.#isOn = on;
-    this.place.dataset.split = on ? 'on' : 'off';
-    this.draw();
+  get #width() {
+    return widthOf(this.place.clientWidth || innerWidth);
   }
 
-  /** Sets the preset of panels next to the 3D view. @param {import('../state/layout.js').PresetName} preset */
-  set preset(preset) {
-    if (preset !== this.#preset) {
-      this.#preset = preset;
-      this.#width = undefined;
-    }
-  }
-
-  /** Storage key of the layout for this width. */
-  get #place() {
-    const width = this.#width ?? 'wide';
-    return this.#preset === 'understand' ? width : `${this.#preset}-${width}`;
-  }
-
-  /** @param {PanelName} name @returns {boolean} */
-  isFolded(name) {
-    return this.#layout.some(({ panels }) => panels.some((each) => each.name === name && each.folded));
+  /** Storage key of the layout. */
+  get #key() {
+    return `${this.room}-${this.#width}`;
   }
 
   /** @param {PanelName} name */
   toggle(name) {
-    this.#set(toggled(this.#layout, name));
+    this.#set(toggled(this.layout, name));
   }
 
   /** Restores the default layout. */
   reset() {
-    this.#set(LAYOUTS[this.#preset][this.#width ?? 'wide']);
+    this.#set(defaultLayout(this.room, this.#width));
   }
 
   /** @param {import('../state/layout.js').Layout} layout */
   #set(layout) {
-    this.#layout = layout;
-    this.#kept = { ...this.#kept, [this.#place]: layout };
+    this.#kept = { ...this.#kept, [this.#key]: layout };
     keep(KEY, this.#kept);
-    this.draw();
+    this.changed();
   }
 
   draw() {
     const { clientWidth: width, clientHeight: height } = this.place;
-    const panels = this.panels();
-    if (!this.#isOn || width === 0) {
-      panels.forEach((panel) => panel.removeAttribute('style'));
-      this.#drawEdges([]);
+    if (width === 0) {
       return;
     }
-    if (this.#width !== widthOf(width)) {
-      this.#width = widthOf(width);
-      this.#layout = restoredLayout(this.#kept[this.#place], this.#width, this.#preset);
-    }
-    const { boxes, edges } = placed(this.#layout, width, height);
-    panels.forEach((panel, name) => {
+    const { boxes, edges } = placed(this.layout, width, height);
+    this.panels().forEach((panel, name) => {
       const box = boxes.get(name);
+      panel.hidden = !box;
       if (box) {
         moveTo(panel, box);
       }
-      panel.dataset.folded = String(this.isFolded(name));
-      panel.querySelector('.panel-title')?.setAttribute('aria-expanded', String(!this.isFolded(name)));
     });
     this.#drawEdges(edges);
   }
@@ -147,7 +126,7 @@ export class SplitView {
       if (by !== 0) {
         event.preventDefault();
         event.stopPropagation();
-        this.#set(withEdgeMoved(this.#layout, this.#edgeOf(made), by * KEY_STEP));
+        this.#set(withEdgeMoved(this.layout, this.#edgeOf(made), by * KEY_STEP));
       }
     });
     made.addEventListener('dblclick', () => this.reset());
@@ -169,7 +148,7 @@ export class SplitView {
       edge.panel === undefined
         ? (x - box.left - EDGE_PIXELS / 2) / all.width
         : (y - box.top - EDGE_PIXELS / 2) / all.height;
-    this.#set(withEdgeMoved(this.#layout, edge, by));
+    this.#set(withEdgeMoved(this.layout, edge, by));
   }
 }
 

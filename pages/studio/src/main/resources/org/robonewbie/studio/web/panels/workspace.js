@@ -1,64 +1,53 @@
-/** View presets (the 3D view alone, or with the panels of one robot next to it), and the collapsible tools over the 3D view. */
-import { button, byId } from './elements.js';
+/** Panels around the 3D view, the menu that shows or hides them, and the collapsible tools over the 3D view. */
+import { PANEL_TITLES, panelsOf, shows } from '../state/layout.js';
+import { button, byId, check } from './elements.js';
 import { keep, recall } from './memory.js';
 import { SplitView } from './split-view.js';
 
 /**
  * @typedef {import('./rooms.js').RoomName} RoomName
  * @typedef {import('../state/layout.js').PanelName} PanelName
- *
- * @typedef {object} Preset
- * @property {string} name
- * @property {string} hint
- * @property {RoomName} [room] room to open if the current room lacks this preset
  */
 
-/** @type {Preset[]} */
-const PRESETS = [
-  { name: 'Watch', hint: 'The picture only', room: 'field' },
-  { name: 'Understand', hint: 'Picture, curves, joints, log and messages side by side', room: 'robot' },
-  { name: 'Program', hint: 'A program beside its robot', room: 'program' },
-  { name: 'Shape', hint: 'Edit motions', room: 'motion' },
-];
-
-const KEY = 'robonewbie-workspace';
+const KEY = 'robonewbie-tools';
 const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const MIN_HIDDEN_PIXELS = 12;
 
-/** In a narrower window the tools would cover the 3D view. */
-const WIDE_PIXELS = 900;
+/** Panels without which a room is none. @type {PanelName[]} */
+const FIXED = ['picture', 'code'];
 
 export class Workspace {
   /** @type {RoomName} */
   #room = 'field';
+  /** Whether panels of a robot are shown. */
+  showsRobot = false;
   /** The robot shown by both the 3D view and the panels. */
   #robot = 0;
-  /** Whether panels are shown next to a replay, and whether the tools are expanded in each view. */
-  #kept = { replay: false, tools: { watch: innerWidth > WIDE_PIXELS, understand: false }, ...recall(KEY, {}) };
+  /** Whether the tools are expanded, by room. @type {Record<string, boolean>} */
+  #tools = recall(KEY, {});
 
   /** @param {(room: 'robot' | 'program') => Promise<void> | void} openPanels creates the panels on first use */
   constructor(openPanels) {
     this.openPanels = openPanels;
-    this.split = new SplitView(byId('workspace'), panelsOf);
-    this.buttons = PRESETS.map((preset) => button(preset.name, preset.hint, () => this.#choose(preset)));
-    byId('layouts').append(...this.buttons);
+    this.split = new SplitView(byId('workspace'), panelsHere, () => this.#draw());
     this.tools = byId('side-fold');
     this.tools.addEventListener('click', () => this.#foldTools());
+    byId('panels').addEventListener('beforetoggle', () => this.#listPanels());
   }
 
   /** @param {RoomName} room */
   enter(room) {
     this.#room = room;
-    const isProgram = room === 'program';
-    const isUnderstand = room === 'robot' || (room === 'replay' && this.#kept.replay);
-    byId('robot-room').hidden = !isUnderstand;
-    byId('program-room').hidden = !isProgram;
-    this.split.preset = isProgram ? 'program' : 'understand';
-    this.split.isOn = isUnderstand || isProgram;
-    if (this.split.isOn) {
-      this.#open(isProgram ? 'program' : 'robot');
+    byId('panels-button').hidden = room === 'motion';
+    if (room !== 'motion') {
+      this.split.room = room;
     }
     this.#draw();
+  }
+
+  /** The panels of this room that can be hidden. */
+  get #optional() {
+    return panelsOf(this.split.layout).filter((name) => !FIXED.includes(name));
   }
 
   /**
@@ -98,41 +87,45 @@ export class Workspace {
     this.split.draw();
   }
 
-  /** @param {Preset} preset */
-  #choose({ name, room }) {
-    if (this.#room === 'replay' && room !== 'motion' && room !== 'program') {
-      this.#keep({ replay: name === 'Understand' });
-      this.enter('replay');
-    } else if (room && !(room === 'field' && this.#room === 'field')) {
-      location.hash = `#${room}`;
-    }
+  /** Fills the menu of the panels. */
+  #listPanels() {
+    const reset = button('Reset', 'Restore the default panels of this room', () => {
+      this.split.reset();
+      this.#listPanels();
+    });
+    const checks = this.#optional.map((name) => {
+      const { box, label } = check(`panel-${name}`, PANEL_TITLES[name], '', () => this.split.toggle(name));
+      box.checked = shows(this.split.layout, name);
+      return label;
+    });
+    byId('panels').replaceChildren(...checks, reset);
   }
 
   #foldTools() {
-    const view = this.split.isOn ? 'understand' : 'watch';
-    this.#keep({ tools: { ...this.#kept.tools, [view]: !this.#kept.tools[view] } });
+    this.#tools[this.#room] = !this.#tools[this.#room];
+    keep(KEY, this.#tools);
     this.#draw();
   }
 
-  /** @param {object} changed */
-  #keep(changed) {
-    this.#kept = { ...this.#kept, ...changed };
-    keep(KEY, this.#kept);
-  }
-
   #draw() {
-    const ofRoom = PRESETS.find(({ room }) => room === this.#room && !['field', 'robot'].includes(this.#room));
-    const shown = ofRoom?.name ?? (this.split.isOn ? 'Understand' : 'Watch');
-    this.buttons.forEach((each, i) => each.setAttribute('aria-pressed', String(PRESETS[i].name === shown)));
-    const isUnfolded = this.#kept.tools[this.split.isOn ? 'understand' : 'watch'];
+    const isUnfolded = this.#tools[this.#room] === true;
     byId('side').dataset.folded = String(!isUnfolded);
     this.tools.setAttribute('aria-expanded', String(isUnfolded));
     this.tools.title = isUnfolded ? 'Hide camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
+    const isProgram = this.#room === 'program';
+    this.showsRobot =
+      !isProgram && this.#room !== 'motion' && this.#optional.some((name) => shows(this.split.layout, name));
+    byId('robot-room').hidden = !this.showsRobot;
+    byId('program-room').hidden = !isProgram;
+    this.split.draw();
+    if (this.showsRobot || isProgram) {
+      this.#open(isProgram ? 'program' : 'robot');
+    }
   }
 }
 
 /** @returns {Map<PanelName, HTMLElement>} */
-function panelsOf() {
+function panelsHere() {
   const panels = [
     .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#workspace > :not([hidden]) > .side-panel')),
   ];

@@ -1,6 +1,6 @@
 /** Exercises in the program room: the task above the program, and the Check button, which runs the judge on the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
-import { hints, progressText, trialText } from '../state/course.js';
+import { checkText, hints, progressText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
 import { note } from './note.js';
 
@@ -15,6 +15,9 @@ const TRIALS = 3;
 export class ExerciseController {
   #looking = false;
   #isShown = false;
+  #isFast = false;
+  /** State of the checked program; empty without an attempt. */
+  status = '';
 
   /** @param {any} room */
   constructor(room) {
@@ -114,6 +117,9 @@ export class ExerciseController {
   #show(attempt) {
     this.#isShown = attempt.state !== 'NONE';
     this.verdict.hidden = this.room.firstMinute.receive(attempt) || !this.#isShown;
+    this.status = checkText(attempt);
+    this.#speedUp(attempt);
+    this.room.runs.draw();
     setText(this.progress, progressText(attempt));
     this.trials.replaceChildren(
       ...attempt.judged.map((trial) => element('li', { 'data-passed': String(trial.passed) }, trialText(trial))),
@@ -122,5 +128,13 @@ export class ExerciseController {
     if (this.#isShown) {
       this.room.said.showOutput(attempt.output);
     }
+  }
+  /** Runs the trials after the first one as fast as possible. @param {Attempt} attempt */
+  #speedUp({ state, judged }) {
+    const isFast = judged.length > 0 && (state === 'WAITING' || state === 'RUNNING');
+    if (isFast && !this.#isFast) {
+      this.room.surroundings.send({ do: 'speed', factor: 'fastest' });
+    }
+    this.#isFast = isFast;
   }
 }

@@ -70,15 +70,16 @@ export class FileController {
   /** @param {ProgramList} list */
   async open(list) {
     this.list = list;
+    const { first } = list;
     const last = recall(LAST_PROGRAM, '');
-    const wanted = [last, list.drafts[0]?.path, list.own[0]?.path].find(
+    const wanted = [first?.path, last, list.drafts[0]?.path, list.own[0]?.path].find(
       (path) => path && [...list.own, ...list.drafts].some((each) => each.path === path),
     );
-    if (wanted) {
+    if (wanted && (!first || wanted === first.path)) {
       await this.openOwn(wanted);
     } else {
-      const path = folderOfNew(list.own) + FIRST_NAME;
-      this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
+      const path = first?.path ?? folderOfNew(list.own) + FIRST_NAME;
+      this.#show(opened('own', path, newText(await this.service.newProgram(path, first?.example))), '');
     }
     if (!this.#isPolling) {
       this.#isPolling = true;
@@ -291,7 +292,7 @@ export class FileController {
     }
   }
 
-  /** Reloads the file if another program has written it and there are no unsaved changes. */
+  /** Opens the program of another run, or reloads the file if another program has written it and there are no unsaved changes. */
   async #look() {
     if (document.hidden || byId('program-room').hidden) {
       return;
@@ -299,16 +300,26 @@ export class FileController {
     const { file } = this;
     try {
       const list = await this.service.list();
-      const now = list.own.find((/** @type {{path: string}} */ { path }) => path === file?.path)?.version;
-      const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
-      this.list = list;
-      if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
-        await this.#reloadChanged(file);
-      } else if (isOther && document.activeElement !== this.choice) {
-        this.#draw();
+      if (list.first && list.first.path !== this.list.first?.path && (await this.drafts.keep())) {
+        await this.open(list);
+        await this.room.runs.look();
+      } else {
+        await this.#take(list, file);
       }
     } catch {
       // The studio is down or restarting, which the connection banner reports.
+    }
+  }
+
+  /** @param {ProgramList} list the current list of files @param {OpenFile | undefined} file the file that was open before it was read */
+  async #take(list, file) {
+    const now = list.own.find(({ path }) => path === file?.path)?.version;
+    const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
+    this.list = list;
+    if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
+      await this.#reloadChanged(file);
+    } else if (isOther && document.activeElement !== this.choice) {
+      this.#draw();
     }
   }
 

@@ -7,7 +7,6 @@ import { CodeEditor } from './code-editor.js';
 import { ExerciseController } from './exercise-controller.js';
 import { FileController } from './file-controller.js';
 import { FirstMinute } from './first-minute.js';
-import { note } from './note.js';
 import { ProgramService } from './program-service.js';
 import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
@@ -18,7 +17,6 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} clearErrors dismisses the errors shown on top of the 3D view
  * @property {() => void} goLive
  * @property {(command: object) => void} send
- * @property {(panel: import('../state/layout.js').PanelName) => void} fold
  * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
  * @property {() => boolean} isPitchEmpty whether the pitch has no robots and takes puppets
  */
@@ -40,8 +38,8 @@ class ProgramRoom {
   constructor(surroundings) {
     this.surroundings = surroundings;
     this.service = new ProgramService();
-    const code = sidePanel('program', 'code', surroundings.fold);
-    const said = sidePanel('program', 'said', surroundings.fold);
+    const code = sidePanel('program', 'code');
+    const said = sidePanel('program', 'said');
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
@@ -64,12 +62,6 @@ class ProgramRoom {
   async open() {
     const list = await this.service.list();
     if (!list.open) {
-      this.notes.replaceChildren(
-        note(
-          'This studio belongs to an agent that was started separately. To write programs beside the robot, stop the agent (Ctrl+C) and run ' +
-            './robonewbie studio MyAgent.java with the name of your file, or without a file name for a new program.',
-        ),
-      );
       return;
     }
     await this.exercises.open();

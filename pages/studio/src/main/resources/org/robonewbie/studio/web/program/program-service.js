@@ -11,6 +11,7 @@ import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
  * @property {ListedFile[]} own
  * @property {ListedFile[]} drafts
  * @property {string[]} examples
+ * @property {{path: string, example: string}} [first] the program that runs since the studio was opened; a copy of an example is still to be created
  * @property {Array<{path: string, before: string}>} [shared] drafts opened by a link, with the program that was open before
  *
  * @typedef {import('../state/program/remarks.js').Remark} Remark

@@ -187,8 +187,9 @@ export class RunController {
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
     this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
-    const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
-    this.#showState(runText(this.now), isTrouble ? 'trouble' : '');
+    const { status } = this.room.exercises;
+    const isTrouble = status === '' && this.now.state === 'ENDED' && this.now.exitCode !== 0;
+    this.#showState(status || runText(this.now), isTrouble ? 'trouble' : '');
   }
 
   /** @param {string} text @param {string} tone */

@@ -4,7 +4,7 @@
 import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
 import { element } from '../panels/elements.js';
-import { QUALITIES } from '../state/quality.js';
+import { QUALITIES, qualityIndex } from '../state/quality.js';
 import { frameOf, MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 import { webmOf } from '../state/replay/webm.js';
 import { clock } from '../state/studio-state.js';
@@ -70,7 +70,7 @@ class VideoStage {
   /** @param {Record<string, import('../state/kinematics.js').RobotModel>} models @param {CameraController} camera */
   constructor(models, camera) {
     document.body.append(this.#place);
-    this.view = new FieldView(this.#place, QUALITIES[QUALITIES.length - 1]);
+    this.view = new FieldView(this.#place, QUALITIES[qualityIndex('high')]);
     this.view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
     this.view.renderer.setPixelRatio(1);
     this.view.renderer.setSize(WIDTH, HEIGHT);

@@ -17,7 +17,7 @@ import { surroundingsMap } from './surroundings-map.js';
  * @typedef {import('../state/time-cursor.js').TimeCursor} TimeCursor
  * @typedef {import('../state/time-cursor.js').Shown} Shown
  * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
- * @typedef {{send: (command: object) => void, goTo: (seconds: number) => void, fold: (panel: import('../state/layout.js').PanelName) => void}} Surroundings
+ * @typedef {{send: (command: object) => void, goTo: (seconds: number) => void}} Surroundings
  */
 
 const PICTURE_MILLISECONDS = 90;
@@ -26,13 +26,13 @@ const NO_SENSES = readSenses('');
 export class RobotRoom {
   /** @param {Surroundings} surroundings */
   constructor(surroundings) {
-    const { send, goTo, fold } = surroundings;
+    const { send, goTo } = surroundings;
     this.watch = new RobotWatch(send);
     this.lastPicture = 0;
-    const joints = sidePanel('robot', 'joints', fold);
-    const middle = sidePanel('robot', 'surroundings', fold);
-    const words = sidePanel('robot', 'words', fold);
-    const right = sidePanel('robot', 'curves', fold);
+    const joints = sidePanel('robot', 'joints');
+    const middle = sidePanel('robot', 'surroundings');
+    const words = sidePanel('robot', 'words');
+    const right = sidePanel('robot', 'curves');
     this.choice = choice({ id: 'robot-choice', 'aria-label': 'Robot' }, [], (robot) => this.choose(Number(robot)));
     this.facts = element('p', { class: 'robot-facts', role: 'status' });
     this.motion = element('p', { class: 'robot-motion' });

@@ -9,6 +9,12 @@
  * @typedef {{id: number, state: 'NONE' | 'WAITING' | 'RUNNING' | 'OVER', exercise: string, program: string, port: number, trials: number, judged: Judged[], points: number, passed: boolean, output: string}} Attempt
  */
 
+/** @param {readonly Lesson[]} lessons in the order of the course @returns {Lesson[]} sorted by level */
+export function byLevel(lessons) {
+  const levels = lessons.map(({ level }) => level);
+  return [...lessons].sort((one, other) => levels.indexOf(one.level) - levels.indexOf(other.level));
+}
+
 /** @param {Lesson} lesson @returns {string} its level, and the progress so far */
 export function lessonLine({ level, minutes, points, standing }) {
   if (standing.tries === 0) {
@@ -51,6 +57,15 @@ export function progressText(attempt) {
     return '';
   }
   return `${attempt.passed ? 'Passed' : 'Not yet passed'}: ${attempt.points.toFixed(1)} of 10 points`;
+}
+
+/** @param {Attempt} attempt @returns {string} the state of its program; empty without an attempt */
+export function checkText({ state, program, passed }) {
+  const name = program?.replace(/^.*\//, '').replace(/\.java$/, '');
+  if (state === 'NONE' || !name) {
+    return '';
+  }
+  return state === 'OVER' ? `${name} has ${passed ? '' : 'not '}passed.` : `${name} is being checked…`;
 }
 
 /** @param {Judged} trial */

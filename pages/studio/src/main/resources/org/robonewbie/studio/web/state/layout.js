@@ -1,12 +1,12 @@
 /**
- * Layout of panels: columns side by side, each a stack of panels. Edges can be moved, panels can be collapsed to their titles. Pure.
+ * Layout of panels: columns side by side, each a stack of panels. Edges can be moved, panels can be hidden. Pure.
  *
  * @typedef {'picture' | 'words' | 'curves' | 'joints' | 'surroundings' | 'code' | 'said'} PanelName
- * @typedef {{name: PanelName, part: number, folded: boolean}} Panel part is its fraction of the column when expanded
+ * @typedef {{name: PanelName, part: number, isHidden: boolean}} Panel part is its fraction of the column
  * @typedef {{part: number, panels: readonly Panel[]}} Column part is its fraction of the width
  * @typedef {readonly Column[]} Layout
  * @typedef {'wide' | 'medium' | 'narrow'} Width
- * @typedef {'understand' | 'program'} PresetName
+ * @typedef {Exclude<import('../panels/rooms.js').RoomName, 'motion'>} PanelRoom room with panels around the 3D view
  *
  * @typedef {{left: number, top: number, width: number, height: number}} Box pixels
  * @typedef {object} Edge handle between two columns or two panels
@@ -31,9 +31,6 @@ export const PANEL_TITLES = {
 /** Gap between panels, with its margins wide enough for touch input. */
 export const EDGE_PIXELS = 8;
 
-/** Height of a collapsed panel. */
-export const FOLDED_PIXELS = 34;
-
 const MIN_PART = 0.12;
 const WIDTHS = /** @type {const} */ ([
   ['narrow', 760],
@@ -41,51 +38,62 @@ const WIDTHS = /** @type {const} */ ([
 ]);
 
 /** @param {PanelName} name @param {number} part */
-const open = (name, part) => ({ name, part, folded: false });
+const shown = (name, part) => ({ name, part, isHidden: false });
 
 /** @param {PanelName} name @param {number} part */
-const folded = (name, part) => ({ name, part, folded: true });
+const hidden = (name, part) => ({ name, part, isHidden: true });
 
 /** 3D view, plots, joints and messages together, to answer "why did it fall?" at a glance. @type {Record<Width, Layout>} */
-export const UNDERSTAND = {
+const ROBOT = {
   wide: [
-    { part: 0.45, panels: [open('picture', 0.64), open('words', 0.36)] },
-    { part: 0.3, panels: [open('curves', 0.6), folded('surroundings', 0.4)] },
-    { part: 0.25, panels: [open('joints', 1)] },
+    { part: 0.45, panels: [shown('picture', 0.64), shown('words', 0.36)] },
+    { part: 0.3, panels: [shown('surroundings', 0.6), shown('curves', 0.4)] },
+    { part: 0.25, panels: [shown('joints', 1)] },
   ],
   medium: [
-    { part: 0.56, panels: [open('picture', 0.62), open('words', 0.38)] },
-    { part: 0.44, panels: [open('curves', 0.5), open('joints', 0.5), folded('surroundings', 0.5)] },
+    { part: 0.5, panels: [shown('picture', 0.45), shown('curves', 0.3), shown('words', 0.25)] },
+    { part: 0.5, panels: [shown('surroundings', 0.55), shown('joints', 0.45)] },
   ],
   narrow: [
     {
       part: 1,
       panels: [
-        open('picture', 0.5),
-        open('curves', 0.5),
-        folded('words', 0.4),
-        folded('joints', 0.4),
-        folded('surroundings', 0.4),
+        shown('picture', 0.5),
+        shown('curves', 0.5),
+        hidden('words', 0.4),
+        hidden('joints', 0.4),
+        hidden('surroundings', 0.4),
       ],
     },
   ],
 };
 
 /** The program next to its robot. @type {Record<Width, Layout>} */
-export const PROGRAM = {
+const PROGRAM = {
   wide: [
-    { part: 0.52, panels: [open('code', 1)] },
-    { part: 0.48, panels: [open('picture', 0.68), open('said', 0.32)] },
+    { part: 0.52, panels: [shown('code', 1)] },
+    { part: 0.48, panels: [shown('picture', 0.68), shown('said', 0.32)] },
   ],
   medium: [
-    { part: 0.55, panels: [open('code', 1)] },
-    { part: 0.45, panels: [open('picture', 0.62), open('said', 0.38)] },
+    { part: 0.55, panels: [shown('code', 1)] },
+    { part: 0.45, panels: [shown('picture', 0.62), shown('said', 0.38)] },
   ],
-  narrow: [{ part: 1, panels: [open('picture', 0.4), open('code', 0.6), folded('said', 0.3)] }],
+  narrow: [{ part: 1, panels: [shown('picture', 0.4), shown('code', 0.6), hidden('said', 0.3)] }],
 };
 
-/** Panels next to the 3D view, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
-export const LAYOUTS = { understand: UNDERSTAND, program: PROGRAM };
+/** @param {PanelRoom} room @param {Width} width @returns {Layout} the default layout of a room */
+export function defaultLayout(room, width) {
+  const layout = (room === 'program' ? PROGRAM : ROBOT)[width];
+  return room === 'program' || room === 'robot' ? layout : pictureOnly(layout);
+}
+
+/** @param {Layout} layout @returns {Layout} */
+function pictureOnly(layout) {
+  return layout.map((column) => ({
+    ...column,
+    panels: column.panels.map((panel) => ({ ...panel, isHidden: panel.name !== 'picture' })),
+  }));
+}
 
 /** @param {number} pixels @returns {Width} the matching layout width */
 export function widthOf(pixels) {
@@ -96,28 +104,38 @@ export function widthOf(pixels) {
  * Restores a stored layout.
  *
  * @param {unknown} kept
+ * @param {PanelRoom} room
  * @param {Width} width
- * @param {PresetName} [preset]
  * @returns {Layout} the stored layout, or the default if it does not contain each panel exactly once
  */
-export function restoredLayout(kept, width, preset = 'understand') {
-  const defaultLayout = LAYOUTS[preset][width];
+export function restoredLayout(kept, room, width) {
+  const standard = defaultLayout(room, width);
   const columns = Array.isArray(kept) ? kept : [];
   const panels = columns.flatMap((column) => (Array.isArray(column?.panels) ? column.panels : []));
   const names = panels.map((panel) => String(panel?.name)).sort();
   const parts = [...columns, ...panels].map((each) => each?.part);
-  const isWhole = names.join() === namesOf(defaultLayout).join();
-  const isSound = columns.length === defaultLayout.length && parts.every((part) => part > 0 && part <= 1);
-  return isWhole && isSound ? columns : defaultLayout;
+  const isWhole = names.join() === panelsOf(standard).sort().join();
+  const isSound = columns.length === standard.length && parts.every((part) => part > 0 && part <= 1);
+  return isWhole && isSound ? columns : standard;
 }
 
-/** @param {Layout} layout */
-function namesOf(layout) {
-  return layout.flatMap(({ panels }) => panels.map(({ name }) => name)).sort();
+/** @param {Layout} layout @returns {PanelName[]} the names of all panels */
+export function panelsOf(layout) {
+  return layout.flatMap(({ panels }) => panels.map(({ name }) => name));
+}
+
+/** @param {Layout} layout @param {PanelName} name @returns {boolean} */
+export function shows(layout, name) {
+  return layout.some(({ panels }) => panels.some((panel) => panel.name === name && isShown(panel)));
+}
+
+/** @param {Column | Panel} part @returns {boolean} */
+function isShown(part) {
+  return 'panels' in part ? part.panels.some(isShown) : !part.isHidden;
 }
 
 /**
- * Collapses or expands a panel.
+ * Shows or hides a panel.
  *
  * @param {Layout} layout
  * @param {PanelName} name
@@ -126,7 +144,7 @@ function namesOf(layout) {
 export function toggled(layout, name) {
   return layout.map((column) => ({
     ...column,
-    panels: column.panels.map((panel) => (panel.name === name ? { ...panel, folded: !panel.folded } : panel)),
+    panels: column.panels.map((panel) => (panel.name === name ? { ...panel, isHidden: isShown(panel) } : panel)),
   }));
 }
 
@@ -138,47 +156,41 @@ export function toggled(layout, name) {
  */
 export function withEdgeMoved(layout, { column, panel }, by) {
   if (panel === undefined) {
-    return withParts(layout, column, column + 1, by);
+    return withParts(layout, column, by);
   }
-  const { panels } = layout[column];
-  const [above, below] = neighbours(panels, panel);
-  const whole = panels.reduce((sum, each) => sum + (each.folded ? 0 : each.part), 0);
-  const moved = withParts(panels, above, below, by * whole);
-  return layout.map((each, i) => (i === column ? { ...each, panels: moved } : each));
+  return layout.map((each, i) => (i === column ? { ...each, panels: withParts(each.panels, panel, by) } : each));
 }
 
 /**
- * @template {{part: number}} T
+ * Moves the edge between an entry and the next one that is shown.
+ *
+ * @template {Column | Panel} T
  * @param {readonly T[]} list
  * @param {number} first
- * @param {number} second
- * @param {number} by
+ * @param {number} by fraction of the shown entries
  * @returns {readonly T[]}
  */
-function withParts(list, first, second, by) {
-  if (!list[first] || !list[second]) {
+function withParts(list, first, by) {
+  const second = list.findIndex((each, i) => i > first && isShown(each));
+  if (!list[first] || second < 0) {
     return list;
   }
+  const whole = wholeOf(list.filter(isShown));
   const both = list[first].part + list[second].part;
-  const minPixels = Math.min(MIN_PART, both / 2);
-  const part = Math.max(minPixels, Math.min(both - minPixels, list[first].part + by));
+  const minPart = Math.min(MIN_PART * whole, both / 2);
+  const part = Math.max(minPart, Math.min(both - minPart, list[first].part + by * whole));
   return list.map((each, i) =>
     i === first ? { ...each, part } : i === second ? { ...each, part: both - part } : each,
   );
 }
 
-/**
- * Returns the nearest expanded panels above and below an edge; -1 if there is none.
- *
- * @param {readonly Panel[]} panels @param {number} panel
- */
-function neighbours(panels, panel) {
-  const above = panels.findLastIndex((each, i) => i <= panel && !each.folded);
-  return [above, panels.findIndex((each, i) => i > panel && !each.folded)];
+/** @param {ReadonlyArray<{part: number}>} list */
+function wholeOf(list) {
+  return list.reduce((sum, { part }) => sum + part, 0);
 }
 
 /**
- * Computes the boxes of all panels and edges.
+ * Computes the boxes of all shown panels and their edges.
  *
  * @param {Layout} layout
  * @param {number} width pixels
@@ -190,39 +202,47 @@ export function placed(layout, width, height) {
   const boxes = new Map();
   /** @type {Edge[]} */
   const edges = [];
-  const usable = width - EDGE_PIXELS * (layout.length - 1);
-  const whole = layout.reduce((sum, { part }) => sum + part, 0);
-  let left = 0;
-  layout.forEach(({ part, panels }, column) => {
-    const wide = (part / whole) * usable;
-    placeColumn(panels, { left, top: 0, width: wide, height }, column, boxes, edges);
-    left += wide;
-    if (column < layout.length - 1) {
-      const box = { left, top: 0, width: EDGE_PIXELS, height };
-      const label = `Edge right of ${PANEL_TITLES[panels[0].name]}`;
-      edges.push({ box, column, panel: undefined, percent: Math.round((100 * left) / width), label });
-      left += EDGE_PIXELS;
+  for (const column of divided(layout, width)) {
+    const panels = divided(column.entry.panels, height);
+    const box = { left: column.start, top: 0, width: column.size, height };
+    for (const { entry, index, start, size, end } of panels) {
+      boxes.set(entry.name, { ...box, top: start, height: size });
+      if (end !== undefined) {
+        const edge = { ...box, top: end, height: EDGE_PIXELS };
+        edges.push(edgeOf(edge, column.index, index, end / height, `Edge below ${PANEL_TITLES[entry.name]}`));
+      }
     }
-  });
+    if (column.end !== undefined) {
+      const edge = { ...box, left: column.end, width: EDGE_PIXELS };
+      const label = `Edge right of ${PANEL_TITLES[panels[0].entry.name]}`;
+      edges.push(edgeOf(edge, column.index, undefined, column.end / width, label));
+    }
+  }
   return { boxes, edges };
 }
 
-/** @param {readonly Panel[]} panels @param {Box} place @param {number} column @param {Map<PanelName, Box>} boxes @param {Edge[]} edges */
-function placeColumn(panels, place, column, boxes, edges) {
-  const opened = panels.filter(({ folded: isFolded }) => !isFolded);
-  const fixed = EDGE_PIXELS * (panels.length - 1) + FOLDED_PIXELS * (panels.length - opened.length);
-  const whole = opened.reduce((sum, { part }) => sum + part, 0);
-  let { top } = place;
-  panels.forEach(({ name, part, folded: isFolded }, panel) => {
-    const height = isFolded ? FOLDED_PIXELS : Math.max(0, ((place.height - fixed) * part) / whole);
-    boxes.set(name, { ...place, top, height });
-    top += height;
-    const [above, below] = neighbours(panels, panel);
-    if (above >= 0 && below >= 0) {
-      const box = { ...place, top, height: EDGE_PIXELS };
-      const percent = Math.round((100 * top) / place.height);
-      edges.push({ box, column, panel, percent, label: `Edge below ${PANEL_TITLES[name]}` });
-    }
-    top += EDGE_PIXELS;
+/** @param {Box} box @param {number} column @param {number | undefined} panel @param {number} part @param {string} label @returns {Edge} */
+function edgeOf(box, column, panel, part, label) {
+  return { box, column, panel, percent: Math.round(100 * part), label };
+}
+
+/**
+ * Divides a length among the shown entries of a list, with an edge between each two.
+ *
+ * @template {Column | Panel} T
+ * @param {readonly T[]} list
+ * @param {number} length pixels
+ * @returns {Array<{entry: T, index: number, start: number, size: number, end: number | undefined}>} end: start of the edge after it
+ */
+function divided(list, length) {
+  const entries = [...list.entries()].filter(([, entry]) => isShown(entry));
+  const usable = length - EDGE_PIXELS * (entries.length - 1);
+  const whole = wholeOf(list.filter(isShown));
+  let next = 0;
+  return entries.map(([index, entry], i) => {
+    const start = next;
+    const size = (entry.part / whole) * usable;
+    next += size + EDGE_PIXELS;
+    return { entry, index, start, size, end: i < entries.length - 1 ? start + size : undefined };
   });
 }

@@ -6,8 +6,8 @@
  * @typedef {object} Quality
  * @property {string} name
  * @property {number} pixelRatio maximum number of rendered pixels per page pixel
- * @property {boolean} antialias
  * @property {boolean} glossy whether surfaces have reflections
+ * @property {boolean} shadows whether the sun casts shadows, unless the user decides
  * @property {boolean} smooth whether pictures are interpolated between two frames of the simulation
  * @property {Detail} nearDetail level of detail of near robots
  * @property {Detail} farDetail level of detail of the others
@@ -19,8 +19,8 @@
 const LOW = {
   name: 'low',
   pixelRatio: 0.75,
-  antialias: false,
   glossy: false,
+  shadows: false,
   smooth: false,
   nearDetail: 'coarse',
   farDetail: 'tiny',
@@ -28,22 +28,26 @@ const LOW = {
   maxNear: 2,
 };
 
+/** @type {Quality} */
+const HIGH = {
+  name: 'high',
+  pixelRatio: 2,
+  glossy: true,
+  shadows: false,
+  smooth: true,
+  nearDetail: 'fine',
+  farDetail: 'coarse',
+  nearMetres: 7,
+  maxNear: 22,
+};
+
 /** Quality levels in ascending order. @type {Quality[]} */
 export const QUALITIES = [
   { ...LOW, name: 'lowest', pixelRatio: 0.5, maxNear: 1 },
   LOW,
   { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', nearMetres: 5, maxNear: 3 },
-  {
-    name: 'high',
-    pixelRatio: 2,
-    antialias: true,
-    glossy: true,
-    smooth: true,
-    nearDetail: 'fine',
-    farDetail: 'coarse',
-    nearMetres: 7,
-    maxNear: 22,
-  },
+  HIGH,
+  { ...HIGH, name: 'highest', shadows: true },
 ];
 
 const PICTURES = 24;
@@ -72,8 +76,8 @@ export function qualityIndex(name) {
  */
 export function qualityRange(graphics) {
   const software = /swiftshader|llvmpipe|software|basic render/i.test(graphics);
-  const best = QUALITIES.length - 1;
-  return software ? { first: 1, highest: best - 1 } : { first: best, highest: best };
+  const [first, highest] = software ? ['low', 'medium'] : ['high', 'highest'];
+  return { first: qualityIndex(first), highest: qualityIndex(highest) };
 }
 
 /** Measures frame times and changes the level when appropriate. */

@@ -22,7 +22,7 @@ export function isUnderWay({ state }) {
 /** @param {ProgramRun} run @returns {string} its state, as a sentence */
 export function runText(run) {
   const name = fileName(run.program);
-  switch (run.state) {
+  switch (name === '' ? 'NONE' : run.state) {
     case 'STARTING':
       return `${name} is starting…`;
     case 'RUNNING':

@@ -1,0 +1,118 @@
+package org.robonewbie.app.studio;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.progress.ProgressService;
+import org.robonewbie.exercises.service.CourseService;
+import org.robonewbie.programs.ExampleSources;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.HostProgram;
+import org.robonewbie.studio.FullStudio;
+import org.robonewbie.studio.ShownSimulation;
+import org.robonewbie.studio.StudioServer;
+import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.program.FirstProgram;
+
+/** The studio with exercises and with the programs in a folder of this computer. */
+public final class LocalStudio implements FullStudio {
+
+    private static final String ENDING = ".java";
+    private static final int MAX_DEPTH = 12;
+
+    /** The program that this process has been told to run, followed by its options; empty if its class was started directly. */
+    private static volatile List<String> started = List.of();
+
+    /** Creates the provider. */
+    public LocalStudio() {}
+
+    /**
+     * Names the program that this process runs, so that its studio opens it.
+     *
+     * @param program a Java file, a class or an example
+     * @param options its options for the robot
+     */
+    public static void setProgram(String program, List<String> options) {
+        started = Stream.concat(Stream.of(program), options.stream()).toList();
+    }
+
+    @Override
+    public StudioServer open(SimulationControl simulation, int port, HostProgram program) throws IOException {
+        String name = started.isEmpty() ? program.name() : started.get(0);
+        List<String> options = started.stream().skip(1).toList();
+        OpenedFile opened = OpenedFile.of(Optional.of(name)
+                .filter(given -> given.endsWith(ENDING))
+                .map(Path::of)
+                .or(() -> sourceOf(name)));
+        Optional<FirstProgram> first = opened.program()
+                .map(path -> new FirstProgram(path, "", options, program))
+                .or(() -> copyOf(name, opened.programs()).map(path -> new FirstProgram(path, name, options, program)));
+        Language language = Optional.ofNullable(System.getenv(Language.VARIABLE))
+                .flatMap(Language::of)
+                .orElse(Language.ENGLISH);
+        return open(simulation, port, opened, language, first);
+    }
+
+    /**
+     * Opens the studio.
+     *
+     * @param simulation the free pitch
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
+     * @param opened the file to open, and the folders that the pages may access
+     * @param language language of the exercises
+     * @param first the program that runs already, if there is one
+     * @return the open studio
+     * @throws IOException if the port cannot be opened
+     */
+    public static StudioServer open(
+            SimulationControl simulation, int port, OpenedFile opened, Language language, Optional<FirstProgram> first)
+            throws IOException {
+        ShownSimulation shown = new ShownSimulation(simulation);
+        LocalCourseHost host = new LocalCourseHost(opened.programs(), simulation, shown);
+        CourseService course = new CourseService(ProgressService.ofUser(), host, System.getProperty("user.name", ""));
+        course.setLanguage(language.code());
+        Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
+        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs(), first);
+        Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
+        return StudioViewer.open(shown, port, opened.folders(), course::answer, workshop);
+    }
+
+    /** Returns the source file of a class in the working directory or its Maven project. */
+    private static Optional<Path> sourceOf(String className) {
+        String file = className.replace('.', '/') + ENDING;
+        Path sources = Path.of("src/main/java");
+        if (className.isEmpty() || Files.isRegularFile(Path.of(file)) || !Files.isDirectory(sources)) {
+            return Optional.of(Path.of(file)).filter(Files::isRegularFile);
+        }
+        try (Stream<Path> files = Files.walk(sources, MAX_DEPTH)) {
+            return files.filter(each -> each.endsWith(file)).findFirst();
+        } catch (IOException unreadable) {
+            return Optional.empty();
+        }
+    }
+
+    /** Returns the path for a copy of an example; empty if there is no such example. */
+    private static Optional<String> copyOf(String name, Path folder) {
+        return new ExampleSources().names().contains(name)
+                ? Optional.of(freeName("My" + name.replaceFirst("^Agent_", ""), folder))
+                : Optional.empty();
+    }
+
+    /** Returns a file name that neither a program nor a draft has. */
+    private static String freeName(String stem, Path folder) {
+        String name = stem + ENDING;
+        for (int number = 2; isTaken(name, folder); number++) {
+            name = stem + number + ENDING;
+        }
+        return name;
+    }
+
+    private static boolean isTaken(String name, Path folder) {
+        return Files.exists(folder.resolve(name))
+                || Files.exists(folder.resolve(".studio/programs").resolve(name));
+    }
+}

@@ -1,0 +1,60 @@
+package org.robonewbie.simulator.embedded;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.server.Simulator;
+
+/** The agents in the simulator's process. */
+final class LocalProgram implements HostProgram {
+
+    private final Simulator simulator;
+    private final String name;
+    private final Console console;
+    private final List<AgentLink> robots = new CopyOnWriteArrayList<>();
+    private volatile boolean isEnded;
+
+    LocalProgram(Simulator simulator, String name, Console console) {
+        this.simulator = simulator;
+        this.name = name;
+        this.console = console;
+    }
+
+    AgentLink connect() {
+        AgentLink robot = simulator.connect();
+        robots.add(robot);
+        return robot;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public boolean isRunning() {
+        return !isEnded;
+    }
+
+    @Override
+    public synchronized void end() {
+        if (!isEnded) {
+            isEnded = true;
+            Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
+            robots.forEach(AgentLink::close);
+            console.say("The studio has taken over. Press Control-C to stop.");
+        }
+    }
+
+    /** Waits until the simulation ends if a view has ended this program. */
+    void awaitReplacement() {
+        try {
+            if (isEnded) {
+                simulator.awaitEnd();
+            }
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,165 @@
+package org.robonewbie.exercises.marking;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.Grade.SeededScore;
+import org.robonewbie.exercises.Score;
+
+/**
+ * Serves the web edition's pages for a class without accounts: creates a student's submission, lists the programs in received
+ * submissions, and writes the table of {@link ClassMarking}. The page runs the programs. Requests and responses are JSON.
+ */
+public final class ClassService {
+
+    private ClassService() {}
+
+    /**
+     * Answers a request.
+     *
+     * @param action {@code submission}: checks {@link HandIn#json a submission} and returns it; {@code programs}: lists the
+     *     programs to grade; {@code table}: writes the table
+     * @param request JSON
+     * @return JSON, or a sentence if the request is refused
+     */
+    public static String answer(String action, String request) {
+        try {
+            return switch (action) {
+                case "submission" -> HandIn.parse(request).json();
+                case "programs" -> programs(request);
+                default -> table(request);
+            };
+        } catch (IllegalArgumentException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
+    /**
+     * Lists the programs to grade.
+     *
+     * @param request {@code {"received": [{"source": …, "text": …} or {"source": …, "trouble": …}]}}
+     * @return {@code {"seeds": …, "students": […], "programs": [{"student": …, "exercise": …, "file": …, "files": {…}}],
+     *     "troubles": {…}}}
+     */
+    static String programs(String request) {
+        ReceivedWork received = received(parse(request));
+        JsonArray programs = new JsonArray();
+        JsonArray students = new JsonArray();
+        int seeds = 1;
+        for (HandIn work : received.accepted()) {
+            students.add(work.student());
+            seeds = Math.max(seeds, work.seeds());
+            work.solved().forEach(exercise -> programs.add(program(work, exercise)));
+        }
+        JsonObject json = new JsonObject();
+        json.addProperty("seeds", seeds);
+        json.add("students", students);
+        json.add("programs", programs);
+        json.add("troubles", object(received.troubles()));
+        return json.toString();
+    }
+
+    private static JsonObject program(HandIn work, Exercise exercise) {
+        JsonObject json = new JsonObject();
+        json.addProperty("student", work.student());
+        json.addProperty("exercise", exercise.name());
+        json.addProperty("file", HandIn.file(exercise));
+        json.add("files", object(work.files()));
+        return json;
+    }
+
+    /**
+     * Writes the table and checks for plagiarism.
+     *
+     * @param request that of {@link #programs}, with {@code "seeds"} and {@code "marks": [{"student": …, "exercise": …,
+     *     "judged": […] or "reason": …}]}; the judged trials are those of an attempt in {@code CourseService}
+     * @return the files of the table by name, and a summary as {@code "sentence"}
+     */
+    static String table(String request) {
+        JsonObject read = parse(request);
+        ReceivedWork received = received(read);
+        List<CopyCheck.Program> programs = new ArrayList<>();
+        Set<String> students = new TreeSet<>(received.troubles().keySet());
+        Set<String> columns = new HashSet<>();
+        for (HandIn work : received.accepted()) {
+            students.add(work.student());
+            columns.addAll(work.exercises());
+            for (Exercise exercise : work.solved()) {
+                columns.add(exercise.name());
+                programs.add(new CopyCheck.Program(
+                        work.student(), exercise, work.files().getOrDefault(HandIn.file(exercise), "")));
+            }
+        }
+        List<Mark> marks = new ArrayList<>();
+        read.getAsJsonArray("marks").forEach(mark -> marks.add(mark(mark.getAsJsonObject())));
+        ClassTable table = new ClassTable(
+                Exercises.all().stream()
+                        .filter(exercise -> columns.contains(exercise.name()))
+                        .toList(),
+                List.copyOf(students),
+                marks,
+                received.troubles(),
+                CopyCheck.ofPrograms(programs),
+                read.get("seeds").getAsInt());
+        Map<String, String> all = new LinkedHashMap<>(table.files());
+        all.put("sentence", students.size() + " students, " + marks.size() + " programs. " + table.sentence());
+        return object(all).toString();
+    }
+
+    private static ReceivedWork received(JsonObject request) {
+        ReceivedWork received = new ReceivedWork();
+        for (JsonElement each : request.getAsJsonArray("received")) {
+            JsonObject entry = each.getAsJsonObject();
+            String source = entry.get("source").getAsString();
+            if (entry.has("trouble")) {
+                received.refuse(source, entry.get("trouble").getAsString());
+            } else {
+                received.add(source, entry.get("text").getAsString());
+            }
+        }
+        return received;
+    }
+
+    private static Mark mark(JsonObject json) {
+        String student = json.get("student").getAsString();
+        String exercise = json.get("exercise").getAsString();
+        if (json.has("reason")) {
+            return new Mark(
+                    student, exercise, Optional.empty(), json.get("reason").getAsString());
+        }
+        List<SeededScore> trials = new ArrayList<>();
+        for (JsonElement each : json.getAsJsonArray("judged")) {
+            JsonObject trial = each.getAsJsonObject();
+            trials.add(new SeededScore(
+                    trial.get("seed").getAsLong(),
+                    new Score(
+                            trial.get("passed").getAsBoolean(),
+                            trial.get("points").getAsInt(),
+                            trial.get("finding").getAsString(),
+                            trial.get("hint").getAsString())));
+        }
+        return new Mark(student, exercise, Optional.of(new Grade(exercise, trials)), "");
+    }
+
+    private static JsonObject parse(String request) {
+        return JsonParser.parseString(request).getAsJsonObject();
+    }
+
+    private static JsonObject object(Map<String, String> texts) {
+        JsonObject json = new JsonObject();
+        texts.forEach(json::addProperty);
+        return json;
+    }
+}

@@ -1,0 +1,146 @@
+package org.robonewbie.exercises.marking;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.nao.text.FileName;
+
+/**
+ * What a student of a class without accounts sends to the teacher: programs for the assigned exercises, with the classes and
+ * motions that they use. It contains no grades. Students send it as a link or as a file; both contain the JSON of {@link #json},
+ * compressed with gzip.
+ *
+ * <pre>{@code
+ * {"version": 1, "student": "Anna", "seeds": 3, "exercises": ["kick"],
+ *  "files": {"Kick.java": "public class Kick …", "motions/swing.txt": "…"}}
+ * }</pre>
+ *
+ * @param student name of the student, valid as the name of a folder
+ * @param seeds number of trials that the teacher has assigned
+ * @param exercises names of the assigned exercises, which may be unknown to this version
+ * @param files texts by name: Java files, and motions in the folder {@code motions}
+ */
+public record HandIn(String student, int seeds, List<String> exercises, Map<String, String> files) {
+
+    /** Maximum size in bytes before compression. */
+    public static final int MAX_BYTES = 1_000_000;
+
+    /** Maximum number of trials. */
+    private static final int MAX_SEEDS = 20;
+
+    /** Advice about a submission that cannot be read. */
+    static final String DAMAGED = "It is incomplete or damaged. Ask for it again.";
+
+    private static final String JAVA = ".java";
+    private static final String MOTIONS = "motions/";
+    private static final String MOTION = ".txt";
+    private static final int VERSION = 1;
+    private static final int MAX_ENTRIES = 200;
+
+    /**
+     * Checks the contents.
+     *
+     * @throws IllegalArgumentException if a name is invalid or something is too large; the message gives the reason
+     */
+    public HandIn {
+        check(student, "The name \"" + student + "\"");
+        if (seeds < 1 || seeds > MAX_SEEDS) {
+            throw new IllegalArgumentException(
+                    "The number of trials must be 1 to " + MAX_SEEDS + ", not " + seeds + ".");
+        }
+        if (exercises.size() > MAX_ENTRIES || files.size() > MAX_ENTRIES) {
+            throw new IllegalArgumentException("It contains more than " + MAX_ENTRIES + " files or exercises.");
+        }
+        files.keySet().forEach(HandIn::checkFile);
+        exercises = List.copyOf(exercises);
+        files = Collections.unmodifiableMap(new TreeMap<>(files));
+    }
+
+    private static void checkFile(String name) {
+        boolean isMotion = name.startsWith(MOTIONS) && name.endsWith(MOTION);
+        if (!isMotion && !name.endsWith(JAVA)) {
+            throw new IllegalArgumentException("The file \"" + name + "\" is neither a Java file nor a motion.");
+        }
+        String stem = isMotion
+                ? name.substring(MOTIONS.length(), Math.max(MOTIONS.length(), name.length() - MOTION.length()))
+                : name.substring(0, name.length() - JAVA.length());
+        check(stem, "The file name \"" + name + "\"");
+    }
+
+    private static void check(String name, String subject) {
+        FileName.problem(name).ifPresent(problem -> {
+            throw new IllegalArgumentException(subject + " " + problem + ". Choose another name.");
+        });
+    }
+
+    /**
+     * Parses the output of {@link #json}.
+     *
+     * @param json untrusted text
+     * @return the submission
+     * @throws IllegalArgumentException if it is damaged, of a newer version, or invalid; the message gives the reason
+     */
+    public static HandIn parse(String json) {
+        try {
+            JsonObject read = JsonParser.parseString(json).getAsJsonObject();
+            int version = entry(read, "version").getAsInt();
+            if (version != VERSION) {
+                throw new IllegalArgumentException("It was made by another version of RoboNewbie (format " + version
+                        + "; this version reads format " + VERSION + "). Install the newest version.");
+            }
+            List<String> exercises = new ArrayList<>();
+            entry(read, "exercises").getAsJsonArray().forEach(name -> exercises.add(name.getAsString()));
+            Map<String, String> files = new TreeMap<>();
+            JsonObject texts = entry(read, "files").getAsJsonObject();
+            texts.keySet().forEach(name -> files.put(name, entry(texts, name).getAsString()));
+            return new HandIn(
+                    entry(read, "student").getAsString(), entry(read, "seeds").getAsInt(), exercises, files);
+        } catch (JsonParseException
+                | IllegalStateException
+                | UnsupportedOperationException
+                | NumberFormatException damaged) {
+            throw new IllegalArgumentException(DAMAGED, damaged);
+        }
+    }
+
+    private static JsonElement entry(JsonObject read, String name) {
+        return Optional.ofNullable(read.get(name)).orElseThrow(() -> new IllegalArgumentException(DAMAGED));
+    }
+
+    /** {@return this submission as JSON} */
+    public String json() {
+        JsonObject json = new JsonObject();
+        json.addProperty("version", VERSION);
+        json.addProperty("student", student);
+        json.addProperty("seeds", seeds);
+        JsonArray names = new JsonArray();
+        exercises.forEach(names::add);
+        json.add("exercises", names);
+        JsonObject texts = new JsonObject();
+        files.forEach(texts::addProperty);
+        json.add("files", texts);
+        return json.toString();
+    }
+
+    /** Returns the exercises for which it contains a program. */
+    List<Exercise> solved() {
+        return Exercises.all().stream()
+                .filter(exercise -> files.containsKey(file(exercise)))
+                .toList();
+    }
+
+    /** Returns the name of the file with the program for an exercise. */
+    static String file(Exercise exercise) {
+        return exercise.className() + JAVA;
+    }
+}

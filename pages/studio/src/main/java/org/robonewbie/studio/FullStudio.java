@@ -1,0 +1,24 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.util.ServiceLoader;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.HostProgram;
+
+/**
+ * Opens the studio with all its rooms. The application provides it through {@link ServiceLoader}; without it, the studio of an
+ * agent has no exercises, and its program cannot be edited.
+ */
+public interface FullStudio {
+
+    /**
+     * Opens the studio.
+     *
+     * @param simulation the simulation to show and control
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
+     * @param program the program that plays in the simulation, until the studio replaces it
+     * @return the open studio
+     * @throws IOException if the port cannot be opened
+     */
+    StudioServer open(SimulationControl simulation, int port, HostProgram program) throws IOException;
+}

@@ -1,0 +1,40 @@
+package org.robonewbie.studio.program;
+
+import java.util.List;
+import org.robonewbie.simulator.embedded.HostProgram;
+
+/**
+ * The program that runs when the studio opens.
+ *
+ * @param path path of its file; for an example, the path of the copy to be created
+ * @param example name of the example; empty for a program of the user
+ * @param options arguments of its {@code main} that its later versions also receive
+ * @param program the program, which ends when a page replaces it
+ */
+public record FirstProgram(String path, String example, List<String> options, HostProgram program) {
+
+    /** {@return the program; its output goes to the terminal only} */
+    RunningProgram running() {
+        return new RunningProgram() {
+            @Override
+            public String output() {
+                return "";
+            }
+
+            @Override
+            public boolean isRunning() {
+                return program.isRunning();
+            }
+
+            @Override
+            public int exitCode() {
+                return 0;
+            }
+
+            @Override
+            public void close() {
+                program.end();
+            }
+        };
+    }
+}
