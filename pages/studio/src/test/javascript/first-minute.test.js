@@ -74,6 +74,12 @@ test('a returning user gets none', () => {
   assert.equal(nextLevel(course([WAVE]), { ...PROGRAMS, drafts: [{ path: 'MyAgent.java' }] }), undefined);
 });
 
+test('the studio of a running program has no levels', () => {
+  const programs = { ...PROGRAMS, first: { path: 'MyDance.java', example: 'Agent_Dance' } };
+
+  assert.equal(nextLevel(course([WAVE]), programs), undefined);
+});
+
 test('a studio without programs or without exercises has no levels', () => {
   assert.equal(nextLevel(course([WAVE]), { ...PROGRAMS, open: false }), undefined);
   assert.equal(nextLevel(/** @type {any} */ ({ lessons: [] }), PROGRAMS), undefined);

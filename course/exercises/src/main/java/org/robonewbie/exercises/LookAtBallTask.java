@@ -14,7 +14,7 @@ import org.robonewbie.trial.measure.SustainedCondition;
 final class LookAtBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-1, 0, 0);
-    private static final Vector3 VELOCITY = new Vector3(0, -1.7, 0);
+    private static final Vector3 VELOCITY = new Vector3(0, -1.6, 0);
     private static final double ROLLS_FROM_SECONDS = 1;
     private static final double ASIDE_DEGREES = 15;
     private static final double AT_BALL_DEGREES = 10;
@@ -34,7 +34,7 @@ final class LookAtBallTask implements Task {
 
     @Override
     public Scene scene(RandomSource random) {
-        return Scene.of(RobotStart.at(STUDENT).after("stand")).withBall(STUDENT.pointAt(0.6, 0.6));
+        return Scene.of(RobotStart.at(STUDENT).after("stand")).withBall(STUDENT.pointAt(0.5, 0.5));
     }
 
     @Override

@@ -224,6 +224,7 @@ export class FirstMinute {
   #addPuppet() {
     const { robots, isPitchEmpty, send } = this.room.surroundings;
     const timer = setInterval(() => {
+      this.#hasPuppet = robots().some((/** @type {{puppet: boolean}} */ { puppet }) => puppet); // from before a reload
       if (isPitchEmpty() && this.#level && !this.#attempt) {
         this.#hasPuppet = true;
         send({ do: 'addPuppet', side: PUPPET.side });

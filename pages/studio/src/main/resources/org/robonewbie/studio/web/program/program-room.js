@@ -66,7 +66,9 @@ class ProgramRoom {
     }
     await this.exercises.open();
     await this.files.open(list);
-    await this.firstMinute.open();
+    if (programAt(location.hash) === '') {
+      await this.firstMinute.open();
+    }
     await this.#followAddress();
     addEventListener('hashchange', () => this.attempt(() => this.#followAddress()));
     await this.runs.look();

@@ -25,17 +25,18 @@
 export const SKIPPED = 'robonewbie-first-minute-skipped';
 
 /**
- * Returns the next level of a newcomer, who has neither progress in the exercises nor programs other than those of the levels.
+ * Returns the next level of a newcomer, who has neither progress in the exercises nor programs other than those of the levels, and whose
+ * studio was not opened by a running program.
  *
  * @param {Course} course
- * @param {{open: boolean, own: ReadonlyArray<{path: string}>, drafts: ReadonlyArray<{path: string}>}} programs
+ * @param {{open: boolean, own: ReadonlyArray<{path: string}>, drafts: ReadonlyArray<{path: string}>, first?: object}} programs
  * @returns {Level | undefined} undefined for anyone else
  */
-export function nextLevel({ lessons, firstMinute }, { open, own, drafts }) {
+export function nextLevel({ lessons, firstMinute }, { open, own, drafts, first }) {
   const levels = firstMinute?.levels ?? [];
   const isNew = lessons.every(({ standing }) => standing.tries === 0);
   const ofLevels = [...own, ...drafts].every(({ path }) => levels.some(({ file }) => file === path));
-  return open && isNew && ofLevels ? levels.find(({ passed }) => !passed) : undefined;
+  return open && !first && isNew && ofLevels ? levels.find(({ passed }) => !passed) : undefined;
 }
 
 /**
