@@ -164,7 +164,8 @@ public final class RunWatch implements RecordingState.Listener {
 
     private static double size(JsonObject header, String name, double otherwise) {
         try {
-            double value = Double.parseDouble(header.has(name) ? header.get(name).getAsString() : "");
+            double value =
+                    Double.parseDouble(header.has(name) ? header.get(name).getAsString() : "");
             return value > 0 && Double.isFinite(value) ? value : otherwise;
         } catch (NumberFormatException missingOrDamaged) {
             return otherwise;
