@@ -6,7 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,17 +32,24 @@ class RunPageTest {
 
     private final Chromium browser;
 
+    private Optional<StudioProcess> studio = Optional.empty();
+
     RunPageTest(Chromium browser) {
         this.browser = browser;
     }
 
-    private StudioProcess run(String program, String... options) throws IOException {
+    @AfterEach
+    void close() {
+        studio.ifPresent(StudioProcess::close);
+    }
+
+    private void run(String program, String... options) throws IOException {
         List<String> command = List.of("run", program, "--no-browser", "--seed", "1");
-        StudioProcess studio = StudioProcess.start(
+        StudioProcess started = StudioProcess.start(
                 folder, Stream.concat(command.stream(), Stream.of(options)).toArray(String[]::new));
-        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#program");
+        studio = Optional.of(started);
+        browser.visit(started.oneTimeAddress() + "&theme=light&quality=lowest#program");
         browser.await("studio.rooms.program?.files?.file !== undefined && studio.state.frame?.robots.length > 0");
-        return studio;
     }
 
     private void replace(String before, String after) {
@@ -72,34 +81,32 @@ class RunPageTest {
                 }
                 """);
 
-        try (StudioProcess studio = run("MyRobot.java", "--team", "Blue", "--number", "7")) {
-            browser.await(STATE + " === 'MyRobot.java is running.'");
-            awaitAngle(30);
-            replace("(30 - angle)", "(70 - angle)");
-            awaitAngle(70);
+        run("MyRobot.java", "--team", "Blue", "--number", "7");
+        browser.await(STATE + " === 'MyRobot.java is running.'");
+        awaitAngle(30);
+        replace("(30 - angle)", "(70 - angle)");
+        awaitAngle(70);
 
-            browser.await(STATE + " === 'MyRobot.java is running.'");
-            assertThat(browser.evaluate("studio.state.scene.robots.map(each => each.team + each.number).join()")
-                            .getAsString())
-                    .isEqualTo("Blue7");
-            assertThat(folder.resolve("MyRobot.java")).content().contains("(70 - angle)");
-            assertThat(browser.complaints()).isEmpty();
-        }
+        browser.await(STATE + " === 'MyRobot.java is running.'");
+        assertThat(browser.evaluate("studio.state.scene.robots.map(each => each.team + each.number).join()")
+                        .getAsString())
+                .isEqualTo("Blue7");
+        assertThat(folder.resolve("MyRobot.java")).content().contains("(70 - angle)");
+        assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
     void exampleBecomesAProgramOfTheUserWhenItIsSaved() throws IOException {
-        try (StudioProcess studio = run("Agent_BasicStructure")) {
-            browser.await(STATE + " === 'MyBasicStructure.java is running.'");
-            browser.await("[...document.querySelectorAll('#rooms a')].filter(each => each.checkVisibility())"
-                    + ".map(each => each.textContent).join() === 'Field,Program,Robot,Motion,Replay,Exercises'");
-            assertThat(folder.resolve("MyBasicStructure.java")).doesNotExist();
+        run("Agent_BasicStructure");
+        browser.await(STATE + " === 'MyBasicStructure.java is running.'");
+        browser.await("[...document.querySelectorAll('#rooms a')].filter(each => each.checkVisibility())"
+                + ".map(each => each.textContent).join() === 'Field,Program,Robot,Motion,Replay,Exercises'");
+        assertThat(folder.resolve("MyBasicStructure.java")).doesNotExist();
 
-            replace("class MyBasicStructure", "class  MyBasicStructure");
+        replace("class MyBasicStructure", "class  MyBasicStructure");
 
-            browser.await("studio.rooms.program.runs.now.id === 1 && " + STATE
-                    + " === 'MyBasicStructure.java is running.'");
-            assertThat(folder.resolve("MyBasicStructure.java")).content().contains("class  MyBasicStructure extends");
-        }
+        browser.await(
+                "studio.rooms.program.runs.now.id === 1 && " + STATE + " === 'MyBasicStructure.java is running.'");
+        assertThat(folder.resolve("MyBasicStructure.java")).content().contains("class  MyBasicStructure extends");
     }
 }

@@ -81,11 +81,16 @@ final class TelemetryFeed {
             return Optional.empty();
         }
         JsonObject json = Json.object(
-                "kind", "telemetry",
-                "robot", watched,
-                "lines", items,
-                "drawings", Json.array(pictures.values().stream().map(TelemetryLine::write)),
-                "messages", Json.array(talk.stream().map(TelemetryFeed::exchanged)));
+                "kind",
+                "telemetry",
+                "robot",
+                watched,
+                "lines",
+                items,
+                "drawings",
+                Json.array(pictures.values().stream().map(TelemetryLine::write)),
+                "messages",
+                Json.array(talk.stream().map(TelemetryFeed::exchanged)));
         items.clear();
         pictures.clear();
         talk.clear();

@@ -42,4 +42,16 @@ class FileNameTest {
     void takesAllOthers(String name) {
         assertThat(FileName.isPortable(name)).isTrue();
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"goal", "1st try", "größer", "球", "x²", "a_b-c", "123456789012345"})
+    void plainNameHasOnlyLettersDigitsAndTheGivenSigns(String name) {
+        assertThat(FileName.isPlain(name, " _-", 15)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", " goal", "-goal", "a.b", "../out", "goal?", "CON", "goal ", "1234567890123456"})
+    void otherNamesAreNotPlain(String name) {
+        assertThat(FileName.isPlain(name, " _-", 15)).isFalse();
+    }
 }

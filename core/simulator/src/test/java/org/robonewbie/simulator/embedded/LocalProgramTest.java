@@ -16,21 +16,21 @@ class LocalProgramTest {
 
     @Test
     void simulatorGoesOnAfterAViewHasEndedTheProgram() throws IOException, InterruptedException {
-        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner()).withAgentPort(0);
-        try (Simulator simulator = Simulator.start(settings, sentence -> {})) {
-            LocalProgram program = new LocalProgram(simulator, "MyAgent", sentence -> {});
-            AgentLink robot = program.connect();
-            assertThat(program.isRunning()).isTrue();
+        SimulatorSettings settings =
+                SimulatorSettings.of(WorldSettings.beginner()).withAgentPort(0);
+        Simulator simulator = Simulator.start(settings, sentence -> {});
+        LocalProgram program = new LocalProgram(simulator, "MyAgent", sentence -> {});
+        AgentLink robot = program.connect();
+        assertThat(program.isRunning()).isTrue();
 
-            program.end();
-            Thread waiting = new Thread(program::awaitReplacement);
-            waiting.start();
+        program.end();
+        Thread waiting = new Thread(program::awaitReplacement);
+        waiting.start();
 
-            assertThat(robot.receive(new MessageBuffer())).isFalse();
-            assertThat(program.isRunning()).isFalse();
-            assertThat(simulator.report()).isEmpty();
-            simulator.close();
-            waiting.join();
-        }
+        assertThat(robot.receive(new MessageBuffer())).isFalse();
+        assertThat(program.isRunning()).isFalse();
+        assertThat(simulator.report()).isEmpty();
+        simulator.close();
+        waiting.join();
     }
 }

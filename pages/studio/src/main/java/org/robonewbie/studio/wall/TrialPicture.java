@@ -85,7 +85,8 @@ final class TrialPicture implements SimulationObserver {
 
     private static JsonObject robot(RobotSnapshot robot) {
         BodyState body = robot.body();
-        String side = robot.side().map(each -> each.name().toLowerCase(Locale.ROOT)).orElse("");
+        String side =
+                robot.side().map(each -> each.name().toLowerCase(Locale.ROOT)).orElse("");
         return Json.object(
                 "side", side,
                 "number", robot.number(),

@@ -115,8 +115,8 @@ public final class TrialWall extends EventBus implements AutoCloseable {
 
     private synchronized void paint() {
         if (isWatched() && !running.isEmpty()) {
-            JsonArray moments =
-                    Json.array(running.values().stream().map(TrialPicture::moment).flatMap(Optional::stream));
+            JsonArray moments = Json.array(
+                    running.values().stream().map(TrialPicture::moment).flatMap(Optional::stream));
             publish(Json.object("kind", "moments", "moments", moments).toString());
         }
     }
