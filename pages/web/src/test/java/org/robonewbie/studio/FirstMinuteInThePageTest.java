@@ -62,7 +62,8 @@ class FirstMinuteInThePageTest {
         passLevel("Make it walk to the ball and kick");
 
         browser.await("document.querySelector('#program-check') !== null");
-        assertThat(browser.evaluate("localStorage.getItem('robonewbie-page-file:Wave.java')")
+        assertThat(browser.evaluate(
+                                "studio.rooms.program.service.read('own', 'Wave.java').then(({ text }) => text.content)")
                         .getAsString())
                 .contains("LEFT_SHOULDER_PITCH, 90");
         assertThat(browser.complaints()).isEmpty();
