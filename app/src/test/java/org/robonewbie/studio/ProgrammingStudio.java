@@ -25,7 +25,7 @@ final class ProgrammingStudio implements AutoCloseable {
     private final TelemetryServer telemetry;
     private final StudioServer studio;
 
-    /** Starts the studio. @param folder folder of the student's programs and progress */
+    /** Starts the studio for the folder of a student's programs and progress. */
     ProgrammingStudio(Path folder) throws IOException {
         simulator = Simulator.start(
                 SimulatorSettings.of(WorldSettings.beginner().withSeed(1))

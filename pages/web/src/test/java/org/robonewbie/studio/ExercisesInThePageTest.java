@@ -115,7 +115,7 @@ class ExercisesInThePageTest {
                   worker.terminate();
                   'failure' in data ? fail(new Error(data.failure)) : done(attempt.judged);
                 } else if ('run' in data) {
-                  worker.postMessage({ call: { id: 2, name: 'course', args: [request('GET', ['attempt'])] } });
+                  worker.postMessage({ call: { id: 2, name: 'answer', args: ['course', request('GET', ['attempt'])] } });
                 }
               };
               worker.postMessage({ exercise: { id: 1, request: request('POST', [exercise]), classes: window.classes } });

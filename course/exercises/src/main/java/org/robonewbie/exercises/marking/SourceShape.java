@@ -33,11 +33,10 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*)\
             |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
-    /** Keywords that, like a class name, may precede a declared name as its type. */
-    private static final Set<String> PRIMITIVE_TYPES =
-            Set.of("boolean", "byte", "char", "double", "float", "int", "long", "short", "void");
-
-    /** Other words that cannot be names. The class {@code javax.lang.model.SourceVersion} is missing in the web edition. */
+    /**
+     * Words that are neither names nor types; like a class name, {@code int} may precede a declared name as its type. The class
+     * {@code javax.lang.model.SourceVersion} is missing in the web edition.
+     */
     private static final Set<String> KEYWORDS = Set.of(
             ("abstract assert break case catch class const continue default do else enum extends final finally for goto if"
                             + " implements import instanceof interface native new package private protected public return"

@@ -65,7 +65,7 @@ final class RecordingFolders implements RecordingStore {
                 all.add(new RecordingEntry(
                         recording.getKey(), bytes, isRunning(file), isOfProject(file, about.project()), about));
             } catch (NoSuchFileException justDeleted) {
-                continue;
+                // It is not listed.
             }
         }
         return all;

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,19 +41,23 @@ class ReplayServiceTest {
             record(name, false, about);
         }
 
+        private RecordingEntry taken(String name) {
+            return Objects.requireNonNull(recordings.remove(name));
+        }
+
         @Override
         public void rename(String from, String to) {
-            record(to, false, recordings.remove(from).about());
+            record(to, false, taken(from).about());
         }
 
         @Override
         public void remove(String name) {
-            bin.put(name, recordings.remove(name));
+            bin.put(name, taken(name));
         }
 
         @Override
         public boolean bringBack(String name) {
-            return bin.containsKey(name) && recordings.put(name, bin.remove(name)) == null;
+            return bin.containsKey(name) && recordings.put(name, Objects.requireNonNull(bin.remove(name))) == null;
         }
 
         @Override
@@ -85,7 +90,7 @@ class ReplayServiceTest {
     }
 
     private RecordingAbout about() {
-        return recordings.get("game").about();
+        return Objects.requireNonNull(recordings.get("game")).about();
     }
 
     @Test
