@@ -44,6 +44,8 @@ class TextReadersTest {
             Map.entry("protocol/sexp/DecimalParser", WIRE),
             Map.entry("agent/policy/file/PolicyFile", RESOURCE),
             Map.entry("simulator/file/RecordingAbout", WRITTEN),
+            Map.entry("exercises/marking/HandInFile", WRITTEN),
+            Map.entry("web/PageScenes", WRITTEN),
             Map.entry("simulator/recording/RecordingReader", WRITTEN),
             Map.entry("simulator/recording/RecordingState", WRITTEN),
             Map.entry("simulator/recording/RecordCursor", WRITTEN),

@@ -34,7 +34,8 @@ class ScriptReadersTest {
             Map.entry("page/motion-server.js", 1), // the index of the library
             Map.entry("page/program-server.js", 1), // examples shipped with the page
             Map.entry("page/page-compiler.js", 1), // class names that the build found missing
-            Map.entry("page/share.js", 1))); // a program encoded in an address
+            Map.entry("page/class-assignment.js", 1), // programs that the page itself returns
+            Map.entry("page/packed-text.js", 1))); // packed by the page; anything but UTF-8 is damaged
 
     @Test
     void onlyOneModuleDecodesUserText() throws IOException {

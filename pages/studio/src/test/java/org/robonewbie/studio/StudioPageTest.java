@@ -313,7 +313,7 @@ class StudioPageTest {
         try {
             browser.await("innerWidth === " + sides[0]);
 
-            assertThat(browser.evaluate(PANELS_THAT_DO_NOT_FIT).getAsString()).isEmpty();
+            browser.await("(" + PANELS_THAT_DO_NOT_FIT + ") === ''");
             assertThat(browser.evaluate(SMALLEST_TEXT).getAsDouble()).isGreaterThanOrEqualTo(12);
         } finally {
             browser.resize(640, 360);

@@ -23,7 +23,9 @@ class WithoutWebGlPageTest {
     /** Number of blue pixels, the colour of the left team, in a picture. */
     private static final String BLUE_PIXELS = """
             ((canvas) => {
-              const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+              const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+              copy.drawImage(canvas, 0, 0);
+              const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
               let count = 0;
               for (let i = 0; i < data.length; i += 4) {
                 count += data[i + 2] > 100 && data[i + 2] > 2 * data[i] ? 1 : 0;
