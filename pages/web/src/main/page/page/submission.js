@@ -1,24 +1,17 @@
 /** Submissions of a class without accounts as links and files; the Java class HandIn describes their content. */
-import { decodeText } from "../state/decoded-text.js";
-import {
-  compress,
-  decompress,
-  fromBase64Url,
-  MAX_BYTES,
-  toBase64Url,
-  TooLarge,
-} from "./packed-text.js";
+import { decodeText } from '../state/decoded-text.js';
+import { compress, decompress, fromBase64Url, MAX_BYTES, toBase64Url, TooLarge } from './packed-text.js';
 
 /** @typedef {{source: string, text: string} | {source: string, trouble: string}} Received a submission, or why it cannot be read */
 
-export const ENDING = ".robonewbie";
-const MARK = "submission=";
-const FORMAT = "gzip";
+export const ENDING = '.robonewbie';
+const MARK = 'submission=';
+const FORMAT = 'gzip';
 /** Mail programs break or cut longer links. */
 const MAX_LINK = 2000;
-const LINK = new RegExp(`${MARK}([\\w%=-]*)`, "g");
+const LINK = new RegExp(`${MARK}([\\w%=-]*)`, 'g');
 
-const DAMAGED = "It is incomplete or damaged. Ask for it again.";
+const DAMAGED = 'It is incomplete or damaged. Ask for it again.';
 const TOO_LARGE = `It is larger than ${MAX_BYTES / 1_000_000} MB unpacked.`;
 
 /** @param {string} text submission as JSON @returns {Promise<Uint8Array<ArrayBuffer>>} content of a file */
@@ -30,8 +23,8 @@ export const submissionFile = (text) => compress(text, FORMAT);
  * @returns {string} link with the same bytes; empty if it is longer than mail programs allow
  */
 export function submissionLink(file, page) {
-  const link = `${new URL("class.html", page)}#${MARK}${toBase64Url(file)}`;
-  return link.length > MAX_LINK ? "" : link;
+  const link = `${new URL('class.html', page)}#${MARK}${toBase64Url(file)}`;
+  return link.length > MAX_LINK ? '' : link;
 }
 
 /** @param {string} source @param {() => Uint8Array<ArrayBuffer>} bytes @returns {Promise<Received>} */
@@ -39,10 +32,7 @@ async function received(source, bytes) {
   try {
     return { source, text: await decompress(bytes(), FORMAT) };
   } catch (failure) {
-    return {
-      source,
-      trouble: failure instanceof TooLarge ? TOO_LARGE : DAMAGED,
-    };
+    return { source, trouble: failure instanceof TooLarge ? TOO_LARGE : DAMAGED };
   }
 }
 
@@ -57,9 +47,7 @@ export async function readLinks(text, name) {
   const lines = text.split(/\r\n?|\n/);
   const found = lines.flatMap((line, index) =>
     [...line.matchAll(LINK)].map(([, code]) =>
-      received(lines.length > 1 ? `${name}, line ${index + 1}` : name, () =>
-        fromBase64Url(decodeURIComponent(code)),
-      ),
+      received(lines.length > 1 ? `${name}, line ${index + 1}` : name, () => fromBase64Url(decodeURIComponent(code))),
     ),
   );
   return Promise.all(found);
@@ -70,15 +58,8 @@ export async function readFile(file) {
   const { name, size } = file;
   if (!name.endsWith(ENDING)) {
     const found =
-      size > 16 * MAX_BYTES
-        ? []
-        : await readLinks(
-            decodeText(new Uint8Array(await file.arrayBuffer())).content,
-            name,
-          );
-    return found.length > 0
-      ? found
-      : [{ source: name, trouble: "It contains no submission." }];
+      size > 16 * MAX_BYTES ? [] : await readLinks(decodeText(new Uint8Array(await file.arrayBuffer())).content, name);
+    return found.length > 0 ? found : [{ source: name, trouble: 'It contains no submission.' }];
   }
   if (size > MAX_BYTES) {
     return [{ source: name, trouble: TOO_LARGE }];
