@@ -12,7 +12,8 @@ import org.junit.jupiter.api.extension.ParameterResolver;
 /** JUnit extension of {@link InBrowser}: one browser for all classes with a new page for each, closed after the last class. */
 final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCallback, ParameterResolver {
 
-    private static final String SKIP_FIRST_MINUTE =
+    /** Statement that makes the page's user no newcomer. */
+    static final String SKIP_FIRST_MINUTE =
             "try { localStorage.setItem('robonewbie-first-minute-skipped', 'true'); } catch { /* no storage */ }";
 
     @Override

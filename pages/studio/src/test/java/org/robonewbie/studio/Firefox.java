@@ -44,7 +44,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
     }
 
     /**
-     * Starts the browser.
+     * Starts the browser for a user who is no newcomer.
      *
      * @param profile an empty folder, or that of a closed browser
      * @param preferences lines of its file {@code user.js}
@@ -66,7 +66,9 @@ final class Firefox implements AnyBrowser, AutoCloseable {
             if (line.contains(ANNOUNCEMENT)) {
                 drain(output);
                 String address = line.substring(line.indexOf(ANNOUNCEMENT) + ANNOUNCEMENT.length());
-                return new Firefox(process, URI.create(address.strip() + "/session"));
+                Firefox firefox = new Firefox(process, URI.create(address.strip() + "/session"));
+                firefox.runBeforePages(BrowserForTests.SKIP_FIRST_MINUTE);
+                return firefox;
             }
         }
         throw new IOException("Firefox did not start.");
@@ -84,6 +86,12 @@ final class Firefox implements AnyBrowser, AutoCloseable {
                 "firefox-output");
         reader.setDaemon(true);
         reader.start();
+    }
+
+    private void runBeforePages(String statement) {
+        JsonObject script = new JsonObject();
+        script.addProperty("functionDeclaration", "() => { " + statement + " }");
+        call("script.addPreloadScript", script);
     }
 
     /** Opens an address and waits until the page has loaded. */
