@@ -99,14 +99,15 @@ final class RunCommand implements Callable<Integer> {
         SilentPrograms.entirely(() -> program.run(all));
     }
 
-    /** Returns the options without those with these names and their values. */
+    /** Returns the options without those with these names and their values, in the forms {@code --port 3100} and {@code --port=3100}. */
     private static List<String> without(List<String> names, List<String> options) {
         List<String> others = new ArrayList<>();
         for (int i = 0; i < options.size(); i++) {
-            if (names.contains(options.get(i))) {
+            String option = options.get(i);
+            if (names.contains(option)) {
                 i++;
-            } else {
-                others.add(options.get(i));
+            } else if (!names.contains(option.replaceFirst("=.*", ""))) {
+                others.add(option);
             }
         }
         return others;

@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
 
 class RunCommandTest {
@@ -70,6 +73,25 @@ class RunCommandTest {
         Printed answer = Printed.by("run", "--rehearse", "5", file.toString(), "--port", "3100", "7");
 
         assertThat(answer.out().lines()).containsExactly("Rehearsing for 5.0 simulated seconds", "--port|3100|7", "2");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"--port 3100", "--port=3100", "--host 127.0.0.1 --port 3100", "--host=127.0.0.1 --port=3100"})
+    void rehearsalJoinsNoServer(String server) throws IOException {
+        Path arguments = folder.resolve("arguments.txt");
+        Path file = write(
+                "Writer.java",
+                "import java.nio.file.*; import static java.nio.file.StandardOpenOption.*;"
+                        + " public class Writer { public static void main(String[] args) throws Exception {"
+                        + " Files.writeString(Path.of(\"" + arguments.toString().replace("\\", "\\\\")
+                        + "\"), String.join(\" \", args) + \"\\n\", CREATE, APPEND); } }");
+
+        Printed.by(Stream.concat(
+                        Stream.of("run", "--rehearse", "5", file.toString()), Stream.of((server + " 7").split(" ")))
+                .toArray(String[]::new));
+
+        assertThat(arguments).content().isEqualTo("7 --seed 1 --fast --headless --seconds 5.0\n" + server + " 7\n");
     }
 
     @Test
