@@ -80,18 +80,15 @@ export class Studio {
       this.workspace.markMore();
     }, LOOK_MILLISECONDS);
     this.connection.open();
-    this.#offerPrograms();
-    welcomeNewcomer().catch((error) => this.note(error.message));
+    this.#offerPrograms().catch((error) => this.note(error.message));
     requestAnimationFrame(this.#turn);
   }
 
-  /** Shows the link to the program room in a studio that runs programs. */
+  /** Shows the link to the program room in a studio that runs programs, and opens the room for a newcomer. */
   async #offerPrograms() {
-    try {
-      offerRoom('#program', (await new ProgramService().list()).open);
-    } catch (error) {
-      this.note(/** @type {Error} */ (error).message);
-    }
+    const programs = await new ProgramService().list();
+    offerRoom('#program', programs.open);
+    await welcomeNewcomer(programs);
   }
 
   get state() {

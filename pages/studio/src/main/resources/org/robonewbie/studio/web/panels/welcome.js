@@ -3,12 +3,16 @@ import { ask } from '../live/server.js';
 import { nextLevel, SKIPPED } from '../state/program/first-minute.js';
 import { recall } from './memory.js';
 
-/** Opens the program room for a newcomer, unless the address names a room. */
-export async function welcomeNewcomer() {
+/**
+ * Opens the program room for a newcomer, unless the address names a room.
+ *
+ * @param {import('../program/program-service.js').ProgramList} programs
+ */
+export async function welcomeNewcomer(programs) {
   if (location.hash !== '' || recall(SKIPPED, false)) {
     return;
   }
-  const [course, programs] = await Promise.all(['course', 'programs'].map(async (part) => (await ask(part)).json()));
+  const course = await (await ask('course')).json();
   if (nextLevel(course, programs) && location.hash === '') {
     location.replace('#program');
   }
