@@ -16,7 +16,8 @@ import org.robonewbie.app.Printed;
 /** A class has handed in good, bad, copied and broken programs. */
 class ClassMarkingTest {
 
-    private static final String GOOD = """
+    /** Solves the exercise, and is long enough to be compared with others. */
+    static final String GOOD = """
             import org.robonewbie.agent.Agent;
             import org.robonewbie.nao.Joint;
 

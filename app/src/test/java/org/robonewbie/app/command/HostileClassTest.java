@@ -26,24 +26,6 @@ import org.robonewbie.programs.process.Sandbox;
 @EnabledOnOs(OS.LINUX)
 class HostileClassTest {
 
-    private static final String GOOD = """
-            import org.robonewbie.agent.Agent;
-            import org.robonewbie.nao.Joint;
-
-            public class RaiseArms extends Agent {
-                @Override
-                protected void think() {
-                    hold(Joint.LEFT_SHOULDER_PITCH, 60);
-                    hold(Joint.RIGHT_SHOULDER_PITCH, 45);
-                }
-
-                private void hold(Joint joint, double degrees) {
-                    double error = degrees - nao.getJointAngle(joint);
-                    nao.setJointSpeed(joint, Math.abs(error) < 0.2 ? 0 : Math.max(-100, Math.min(100, 4 * error)));
-                }
-            }
-            """;
-
     private static final String EVIL = """
             import org.robonewbie.agent.Agent;
 
@@ -66,7 +48,7 @@ class HostileClassTest {
 
     @BeforeEach
     void handIn() throws IOException {
-        write("zoe/RaiseArms.java", GOOD);
+        write("zoe/RaiseArms.java", ClassMarkingTest.GOOD);
     }
 
     private void write(String name, String text) throws IOException {
@@ -158,7 +140,7 @@ class HostileClassTest {
 
     @Test
     void markWithoutTheSignatureOfTheJudgeIsNoneAndThatOfOneStudentIsNoneOfAnother() throws IOException {
-        write("anna/RaiseArms.java", GOOD);
+        write("anna/RaiseArms.java", ClassMarkingTest.GOOD);
         grade();
         Path kept = folder.resolve("class-grades/kept");
         String mark = Files.readString(kept.resolve("zoe/01-raise-arms.json"));

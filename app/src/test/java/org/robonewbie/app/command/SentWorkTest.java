@@ -20,25 +20,6 @@ import org.robonewbie.exercises.marking.HandIn;
 /** A class without accounts has sent links and files from the web edition. */
 class SentWorkTest {
 
-    private static final String GOOD = """
-            import org.robonewbie.agent.Agent;
-            import org.robonewbie.nao.Joint;
-
-            public class RaiseArms extends Agent {
-                @Override
-                protected void think() {
-                    hold(Joint.LEFT_SHOULDER_PITCH, 60);
-                    hold(Joint.RIGHT_SHOULDER_PITCH, 45);
-                }
-
-                private void hold(Joint joint, double degrees) {
-                    double error = degrees - nao.getJointAngle(joint);
-                    double speed = Math.max(-100, Math.min(100, 4 * error));
-                    nao.setJointSpeed(joint, Math.abs(error) < 0.2 ? 0 : speed);
-                }
-            }
-            """;
-
     /** Has the same result, but is not a copy. */
     private static final String OTHER = """
             import org.robonewbie.agent.Agent;
@@ -95,14 +76,15 @@ class SentWorkTest {
 
     @Test
     void classOfFiveComesIntoTheTable() throws IOException {
-        String anna = work("Anna", GOOD, "raise-arms").json();
+        String anna = work("Anna", ClassMarkingTest.GOOD, "raise-arms").json();
         send("Anna.robonewbie", packed(anna));
         send(
                 "Ben.robonewbie",
-                packed(work("Ben", GOOD.replace("hold", "raise"), "raise-arms").json()));
+                packed(work("Ben", ClassMarkingTest.GOOD.replace("hold", "raise"), "raise-arms")
+                        .json()));
         String cora = link(work("Cora", OTHER, "raise-arms", "fly-to-the-moon").json());
         String damaged = cora.substring(0, cora.length() / 2);
-        String dora = link(work("Dora", GOOD, "raise-arms").json());
+        String dora = link(work("Dora", ClassMarkingTest.GOOD, "raise-arms").json());
         String other = link(work("dora", OTHER, "raise-arms").json());
         send(
                 "links.txt",
@@ -130,7 +112,7 @@ class SentWorkTest {
     @Test
     void nameOfAFolderIsNotTakenASecondTime() throws IOException {
         Path own = Files.createDirectories(folder.resolve("class/anna"));
-        Files.writeString(own.resolve("RaiseArms.java"), GOOD);
+        Files.writeString(own.resolve("RaiseArms.java"), ClassMarkingTest.GOOD);
         send(
                 "a.robonewbie",
                 packed(work("Anna", "class RaiseArms {}", "raise-arms").json()));
@@ -170,7 +152,9 @@ class SentWorkTest {
 
     @Test
     void singleFilesAreGradedAndOthersAreNamed() throws IOException {
-        send("anna.robonewbie", packed(work("Anna", GOOD, "raise-arms").json()));
+        send(
+                "anna.robonewbie",
+                packed(work("Anna", ClassMarkingTest.GOOD, "raise-arms").json()));
         send("notes.txt", "no link".getBytes(StandardCharsets.UTF_8));
         Path sent = folder.resolve("class");
 
