@@ -266,7 +266,7 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private int writeStartCode(Exercise exercise) throws IOException {
-        Path file = Path.of(exercise.className() + ".java");
+        Path file = Path.of(exercise.fileName());
         if (Files.exists(file)) {
             throw new CalledWronglyException("The file " + file + " already exists. Rename it to start over.");
         }
@@ -316,7 +316,7 @@ final class GradeCommand implements Callable<Integer> {
 
     private static CalledWronglyException withoutSolution(Exercise exercise) {
         return new CalledWronglyException("Name the program to grade, for example: robonewbie grade " + exercise.name()
-                + " " + exercise.className() + ".java" + System.lineSeparator()
+                + " " + exercise.fileName() + System.lineSeparator()
                 + "To write the starter code first: robonewbie grade " + exercise.name()
                 + " --start");
     }

@@ -26,7 +26,7 @@ final class ExerciseCheckup {
     static Finding graded() {
         Exercise exercise = Exercises.all().get(0);
         try (TemporaryFolder folder = TemporaryFolder.create("room")) {
-            Path file = folder.path().resolve(exercise.className() + ".java");
+            Path file = folder.path().resolve(exercise.fileName());
             Files.writeString(file, exercise.startCode());
             RobotProcess.Request program = new RobotProcess.Request(file.toString(), List.of(), folder.path(), true);
             ProcessGrader grader = new ProcessGrader(1, 1, Sandbox.find(), Optional.empty(), line -> {});

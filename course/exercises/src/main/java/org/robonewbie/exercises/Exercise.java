@@ -54,6 +54,11 @@ public record Exercise(
         return String.format("%02d-%s", number, name);
     }
 
+    /** {@return the name of the Java file for a program, such as {@code ArmBySide.java}} */
+    public String fileName() {
+        return className + ".java";
+    }
+
     /**
      * Returns the starter code, which compiles and runs but does not solve the exercise.
      *

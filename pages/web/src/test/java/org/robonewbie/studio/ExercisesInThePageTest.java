@@ -74,7 +74,7 @@ class ExercisesInThePageTest {
     private void assertSameVerdicts(Exercise exercise, List<Long> seeds) {
         String text = Solutions.text(exercise);
         browser.visit(server.address() + "webassembly-loader.js");
-        browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.className() + ".java") + ", "
+        browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.fileName()) + ", "
                 + Chromium.quoted(text) + ").then((classes) => { window.classes = classes; })");
 
         JsonArray judged = browser.evaluate(
@@ -127,7 +127,7 @@ class ExercisesInThePageTest {
     void firstExerciseIsSolvedInTheRoomForPrograms() {
         Exercise first = Exercises.all().get(0);
         open("#program/" + first.name());
-        browser.await("studio.rooms.program.files.file?.path === '" + first.className() + ".java'");
+        browser.await("studio.rooms.program.files.file?.path === '" + first.fileName() + "'");
         assertThat(browser.evaluate("studio.rooms.program.editor.text").getAsString())
                 .isEqualTo(first.startCode());
 
@@ -185,7 +185,7 @@ class ExercisesInThePageTest {
         Path solutions = Files.createDirectory(folder.resolve("solutions"));
         Files.writeString(solutions.resolve("locked.txt"), "# none\nkick\n");
         Files.writeString(
-                solutions.resolve(first.className() + ".java"),
+                solutions.resolve(first.fileName()),
                 "package org.robonewbie.exercises.solution;\n\n" + Solutions.text(first));
 
         assertThat(help(first)).contains("\"solution\":true", "\"triesLeft\":3");

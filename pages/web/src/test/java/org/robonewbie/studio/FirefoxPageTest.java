@@ -84,7 +84,7 @@ class FirefoxPageTest {
 
     private void solve(Exercise first) {
         browser.evaluate("location.hash = '#program/" + first.name() + "'");
-        browser.await("studio.rooms.program.files.file?.path === '" + first.className() + ".java'");
+        browser.await("studio.rooms.program.files.file?.path === '" + first.fileName() + "'");
         write(Solutions.text(first));
         browser.click("#program-check");
         browser.await(SHOWN + ".includes('Passed: 10.0 of 10 points')");

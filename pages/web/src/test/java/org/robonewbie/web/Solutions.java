@@ -30,7 +30,7 @@ public final class Solutions {
      */
     public static String text(Exercise exercise) {
         try {
-            return Files.readString(FOLDER.resolve(exercise.className() + ".java"))
+            return Files.readString(FOLDER.resolve(exercise.fileName()))
                     .replaceFirst("package [^;]*;\\s*", "");
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);

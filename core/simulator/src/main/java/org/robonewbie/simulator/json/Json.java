@@ -5,11 +5,12 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.util.Collection;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /**
  * Builds JSON without reflection, which the web edition lacks. Values are texts, numbers, truth values, JSON elements, and collections of
- * values.
+ * values and maps from texts to values.
  *
  * <pre>{@code
  * Json.object("name", "Corner", "score", List.of(1, 0)) // {"name":"Corner","score":[1,0]}
@@ -53,6 +54,11 @@ public final class Json {
         }
         if (value instanceof Collection<?> values) {
             return array(values.stream());
+        }
+        if (value instanceof Map<?, ?> members) {
+            JsonObject json = new JsonObject();
+            members.forEach((name, member) -> json.add((String) name, element(member)));
+            return json;
         }
         if (value instanceof Number number) {
             return new JsonPrimitive(number);

@@ -71,7 +71,7 @@ final class ClassFolder {
             throw new CalledWronglyException("The folder " + sources.get(0)
                     + " contains no programs. It must contain a folder for each student, such as "
                     + sources.get(0).resolve("anna") + ", with files such as "
-                    + exercises.get(0).className() + JAVA + ", or the files that students have sent.");
+                    + exercises.get(0).fileName() + ", or the files that students have sent.");
         }
         return all;
     }
@@ -194,7 +194,7 @@ final class ClassFolder {
                     "The file name " + name
                             + " must contain the student's name and the exercise. Rename the file, for example"
                             + " to anna_"
-                            + exercises.get(0).className() + JAVA + ".");
+                            + exercises.get(0).fileName() + ".");
             return;
         }
         String student =
@@ -202,7 +202,7 @@ final class ClassFolder {
         try {
             Path admitted = new SubmittedFolder(file, place -> false).files().get(0);
             Path folder = Files.createDirectories(copies.resolve(student));
-            Path copy = folder.resolve(exercise.get().className() + JAVA);
+            Path copy = folder.resolve(exercise.get().fileName());
             Files.copy(admitted, copy, StandardCopyOption.REPLACE_EXISTING);
             addSubmission(new Submission(student, exercise.get(), copy, folder));
         } catch (UnreadableFileException refused) {
@@ -218,7 +218,7 @@ final class ClassFolder {
         if (before.isPresent()) {
             trouble(
                     submission.student(),
-                    "There are several files named " + submission.exercise().className() + JAVA + "; "
+                    "There are several files named " + submission.exercise().fileName() + "; "
                             + before.get().folder().relativize(before.get().file()) + " was graded.");
         } else {
             own.add(submission);

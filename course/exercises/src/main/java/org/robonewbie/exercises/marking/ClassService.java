@@ -1,14 +1,11 @@
 package org.robonewbie.exercises.marking;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -17,6 +14,7 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * Serves the web edition's pages for a class without accounts: creates a student's submission, lists the programs in received
@@ -55,29 +53,24 @@ public final class ClassService {
      */
     static String programs(String request) {
         ReceivedWork received = received(parse(request));
-        JsonArray programs = new JsonArray();
-        JsonArray students = new JsonArray();
+        List<JsonObject> programs = new ArrayList<>();
+        List<String> students = new ArrayList<>();
         int seeds = 1;
         for (HandIn work : received.accepted()) {
             students.add(work.student());
             seeds = Math.max(seeds, work.seeds());
             work.solved().forEach(exercise -> programs.add(program(work, exercise)));
         }
-        JsonObject json = new JsonObject();
-        json.addProperty("seeds", seeds);
-        json.add("students", students);
-        json.add("programs", programs);
-        json.add("troubles", object(received.troubles()));
-        return json.toString();
+        return Json.object("seeds", seeds, "students", students, "programs", programs, "troubles", received.troubles())
+                .toString();
     }
 
     private static JsonObject program(HandIn work, Exercise exercise) {
-        JsonObject json = new JsonObject();
-        json.addProperty("student", work.student());
-        json.addProperty("exercise", exercise.name());
-        json.addProperty("file", HandIn.file(exercise));
-        json.add("files", object(work.files()));
-        return json;
+        return Json.object(
+                "student", work.student(),
+                "exercise", exercise.name(),
+                "file", exercise.fileName(),
+                "files", work.files());
     }
 
     /**
@@ -99,7 +92,7 @@ public final class ClassService {
             for (Exercise exercise : work.solved()) {
                 columns.add(exercise.name());
                 programs.add(new CopyCheck.Program(
-                        work.student(), exercise, work.files().getOrDefault(HandIn.file(exercise), "")));
+                        work.student(), exercise, work.files().getOrDefault(exercise.fileName(), "")));
             }
         }
         List<Mark> marks = new ArrayList<>();
@@ -113,9 +106,10 @@ public final class ClassService {
                 received.troubles(),
                 CopyCheck.ofPrograms(programs),
                 read.get("seeds").getAsInt());
-        Map<String, String> all = new LinkedHashMap<>(table.files());
-        all.put("sentence", students.size() + " students, " + marks.size() + " programs. " + table.sentence());
-        return object(all).toString();
+        JsonObject json = new JsonObject();
+        table.files().forEach(json::addProperty);
+        json.addProperty("sentence", students.size() + " students, " + marks.size() + " programs. " + table.sentence());
+        return json.toString();
     }
 
     private static ReceivedWork received(JsonObject request) {
@@ -155,11 +149,5 @@ public final class ClassService {
 
     private static JsonObject parse(String request) {
         return JsonParser.parseString(request).getAsJsonObject();
-    }
-
-    private static JsonObject object(Map<String, String> texts) {
-        JsonObject json = new JsonObject();
-        texts.forEach(json::addProperty);
-        return json;
     }
 }

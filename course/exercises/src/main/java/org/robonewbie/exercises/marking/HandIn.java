@@ -1,6 +1,5 @@
 package org.robonewbie.exercises.marking;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
@@ -14,6 +13,7 @@ import java.util.TreeMap;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.nao.text.FileName;
+import org.robonewbie.simulator.json.Json;
 
 /**
  * What a student of a class without accounts sends to the teacher: programs for the assigned exercises, with the classes and
@@ -119,28 +119,15 @@ public record HandIn(String student, int seeds, List<String> exercises, Map<Stri
 
     /** {@return this submission as JSON} */
     public String json() {
-        JsonObject json = new JsonObject();
-        json.addProperty("version", VERSION);
-        json.addProperty("student", student);
-        json.addProperty("seeds", seeds);
-        JsonArray names = new JsonArray();
-        exercises.forEach(names::add);
-        json.add("exercises", names);
-        JsonObject texts = new JsonObject();
-        files.forEach(texts::addProperty);
-        json.add("files", texts);
-        return json.toString();
+        return Json.object(
+                        "version", VERSION, "student", student, "seeds", seeds, "exercises", exercises, "files", files)
+                .toString();
     }
 
     /** Returns the exercises for which it contains a program. */
     List<Exercise> solved() {
         return Exercises.all().stream()
-                .filter(exercise -> files.containsKey(file(exercise)))
+                .filter(exercise -> files.containsKey(exercise.fileName()))
                 .toList();
-    }
-
-    /** Returns the name of the file with the program for an exercise. */
-    static String file(Exercise exercise) {
-        return exercise.className() + JAVA;
     }
 }

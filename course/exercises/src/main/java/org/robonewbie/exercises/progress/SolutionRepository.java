@@ -130,7 +130,7 @@ public record SolutionRepository(Source source) {
     }
 
     private Optional<String> program(Exercise exercise) throws IOException {
-        return source.read(exercise.className() + ".java");
+        return source.read(exercise.fileName());
     }
 
     /**

@@ -169,13 +169,9 @@ public final class CourseService implements AutoCloseable {
         json.addProperty("minutes", exercise.minutes());
         json.addProperty("points", Score.MAX_POINTS);
         json.addProperty("worksheet", "docs/exercises/" + language.worksheet(exercise) + ".html");
-        json.addProperty("file", file(exercise));
+        json.addProperty("file", exercise.fileName());
         json.add("standing", standing);
         return json;
-    }
-
-    static String file(Exercise exercise) {
-        return exercise.className() + ".java";
     }
 
     private static JsonArray array(List<String> texts) {
@@ -203,7 +199,7 @@ public final class CourseService implements AutoCloseable {
     }
 
     private String writeStarter(Exercise exercise) throws IOException {
-        String file = file(exercise);
+        String file = exercise.fileName();
         if (!host.create(file, exercise.startCode())) {
             throw new IllegalArgumentException(
                     "The file " + file + " already exists and is kept. Rename it to start over.");

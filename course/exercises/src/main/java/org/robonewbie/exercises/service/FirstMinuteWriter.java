@@ -1,49 +1,44 @@
 package org.robonewbie.exercises.service;
 
-import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.FirstMinute;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.Progress;
+import org.robonewbie.simulator.json.Json;
 
 /** Writes the levels of the {@link FirstMinute}, with the words that the page shows around them. */
 record FirstMinuteWriter(Language language, Progress progress) {
 
     JsonObject json() {
-        JsonArray levels = new JsonArray();
-        FirstMinute.levels().forEach(level -> levels.add(level(level)));
-        JsonObject json = new JsonObject();
-        json.add("levels", levels);
-        json.add("words", words());
-        return json;
+        return Json.object(
+                "levels", Json.array(FirstMinute.levels().stream().map(this::level)),
+                "words", words());
     }
 
     private JsonObject level(Exercise level) {
-        JsonObject json = new JsonObject();
-        json.addProperty("name", level.name());
-        json.addProperty("title", language.translated(level.title()));
-        json.addProperty("goal", language.translated(level.goal()));
-        json.addProperty("file", CourseService.file(level));
-        json.addProperty("passed", progress.of(level).passed());
-        json.addProperty("start", level.startCode());
-        json.addProperty("solution", FirstMinute.solution(level));
-        return json;
+        return Json.object(
+                "name", level.name(),
+                "title", language.translated(level.title()),
+                "goal", language.translated(level.goal()),
+                "file", level.fileName(),
+                "passed", progress.of(level).passed(),
+                "start", level.startCode(),
+                "solution", FirstMinute.solution(level));
     }
 
     private JsonObject words() {
-        JsonObject words = new JsonObject();
-        words.addProperty("level", language.translated("Level"));
-        words.addProperty("edit", language.translated("Type it, or press Tab:"));
-        words.addProperty("run", language.translated("Press ▶ Run (Ctrl+Enter)."));
-        words.addProperty("watch", language.translated("Watch the robot …"));
-        words.addProperty("passed", language.translated("Well done:"));
-        words.addProperty("failed", language.translated("Not yet:"));
-        words.addProperty("broken", language.translated("Fix the line marked in red first."));
-        words.addProperty("next", language.translated("Next level"));
-        words.addProperty("finish", language.translated("Go on with exercise 1"));
-        words.addProperty("skip", language.translated("Skip"));
-        words.addProperty("skipHint", language.translated("Hides these three levels permanently"));
-        return words;
+        return Json.object(
+                "level", language.translated("Level"),
+                "edit", language.translated("Type it, or press Tab:"),
+                "run", language.translated("Press ▶ Run (Ctrl+Enter)."),
+                "watch", language.translated("Watch the robot …"),
+                "passed", language.translated("Well done:"),
+                "failed", language.translated("Not yet:"),
+                "broken", language.translated("Fix the line marked in red first."),
+                "next", language.translated("Next level"),
+                "finish", language.translated("Go on with exercise 1"),
+                "skip", language.translated("Skip"),
+                "skipHint", language.translated("Hides these three levels permanently"));
     }
 }

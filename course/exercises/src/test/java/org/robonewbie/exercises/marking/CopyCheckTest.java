@@ -135,7 +135,7 @@ class CopyCheckTest {
 
     private void handIn(String student, String exercise, String text) throws IOException {
         Exercise task = Exercises.find(exercise).orElseThrow();
-        Path file = Files.createDirectories(folder.resolve(student)).resolve(task.className() + ".java");
+        Path file = Files.createDirectories(folder.resolve(student)).resolve(task.fileName());
         Files.writeString(file, text);
         submissions.add(new Submission(student, task, file, folder.resolve(student)));
     }
