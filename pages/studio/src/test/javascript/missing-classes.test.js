@@ -52,6 +52,17 @@ test('imports are recognised by their package', () => {
   assert.match(said('This page does not provide java.lang.Thread.sleep'), /no threads/);
 });
 
+test('a qualified name is recognised whatever the compiler knows of its package', () => {
+  const saidOf = (/** @type {string} */ remark, /** @type {string} */ code) => insteadOfMissing(remark, MISSING, code);
+  assert.match(saidOf('package java.math does not exist', 'java.math.BigDecimal'), /BigDecimal: use double instead/);
+  assert.match(
+    saidOf('package java.util.concurrent.TimeUnit does not exist', 'java.util.concurrent.TimeUnit.SECONDS'),
+    /no threads/,
+  );
+  assert.match(saidOf('package java.time does not exist', 'java.time.Instant'), /nao\.getTime\(\)/);
+  assert.equal(saidOf(unknown('class', 'Dates', 'package java.util'), 'java.util.Dates'), '');
+});
+
 test('misspelt names and missing imports are left to the compiler', () => {
   assert.equal(said(unknown('class', 'EnumMapp')), '');
   assert.equal(said(unknown('class', 'List')), '');

@@ -69,14 +69,16 @@ export function missingClasses(list) {
 /**
  * @param {string} remark message of javac, or why a program cannot run here
  * @param {Map<string, string>} missing full names of missing classes, by simple names
+ * @param {string} code the part of the program that the message refers to
  * @returns {string} what to do; empty if the cause is not a limitation of the page
  */
-export function insteadOfMissing(remark, missing = new Map()) {
+export function insteadOfMissing(remark, missing = new Map(), code = '') {
   const own = OF_ROBONEWBIE.find(([lacking]) => lacking.test(remark));
   if (own) {
     return own[1];
   }
-  const name = fullName(remark, missing);
+  // For a qualified name, javac names the class only if the page has other classes of its package.
+  const name = [...missing.values()].find((each) => `${code}.`.startsWith(`${each}.`)) ?? fullName(remark, missing);
   return name ? advice(name) : '';
 }
 

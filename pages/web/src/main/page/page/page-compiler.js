@@ -92,13 +92,14 @@ function remarks(lines, shown, text, missing) {
     const [kind, path, number, begin, end, hint, ...words] = line.split('\t');
     const isHere = path === shown && Number(begin) >= 0;
     const from = isHere ? Math.min(Number(begin), text.length) : 0;
+    const to = isHere ? Math.max(from, Math.min(Number(end), text.length)) : 0;
     return {
       from,
-      to: isHere ? Math.max(from, Math.min(Number(end), text.length)) : 0,
+      to,
       line: isHere ? Number(number) : 0,
       serious: kind === 'ERROR',
       text: (isHere || path === '' ? '' : `${path}:${number}: `) + words.join('\t'),
-      hint: insteadOfMissing(words.join('\t'), missing) || hint,
+      hint: insteadOfMissing(words.join('\t'), missing, text.slice(from, to)) || hint,
     };
   });
 }
