@@ -257,7 +257,6 @@ class MotionSafetyPageTest {
                                 + " tick.getBoundingClientRect().right <= innerWidth)")
                         .getAsBoolean())
                 .isTrue();
-        browser.await("document.querySelector('.moment-name').checkVisibility()");
     }
 
     @Test

@@ -72,6 +72,7 @@ class PuppetPageTest {
         field.addPuppet();
 
         browser.await("fromPlace < 0.1");
+        browser.click("#side-fold");
         browser.click("#puppet-joints summary");
         browser.await("document.querySelector('#puppet-joints input')");
         browser.await("(() => { const slider = document.querySelector('#puppet-joints input').getBoundingClientRect();"

@@ -20,7 +20,7 @@ export function timeLinePanel(cursor, changed) {
   const reading = element('span', { class: 'moment-reading', role: 'status' });
   const live = button('Live', 'Return to the present (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
-  place.append(element('span', { class: 'faint moment-name' }, 'Running simulation'), live, line, reading);
+  place.append(live, line, reading);
   /** @param {() => void} action */
   const act = (action) => {
     action();
