@@ -59,9 +59,11 @@ export class ProgramServer {
    * @param {import('./world-process.js').World} world
    * @param {ProgramRepository} repository
    * @param {{others: string[]}} agents shipped agents that play alongside a program
+   * @param {import('./history-store.js').HistoryStore} histories
    */
-  constructor(compiler, world, repository, agents) {
+  constructor(compiler, world, repository, agents, histories) {
     this.#repository = repository;
+    this.histories = histories;
     this.agents = agents;
     this.compiler = compiler;
     this.world = world;
@@ -110,6 +112,11 @@ export class ProgramServer {
         return new Response(await this.#example(name));
       case 'GET new':
         return new Response(await this.#newProgram(name, wish.get('example') ?? ''));
+      case 'GET history':
+        return new Response(await this.histories.read(name));
+      case 'PUT history':
+        await this.histories.write(name, body);
+        return new Response('');
       case 'PUT own':
         return this.#repository.overwrite(name, body, known);
       case 'PUT draft':
