@@ -30,7 +30,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
             """;
 
     /** Keys that the browser handles itself. */
-    private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13);
+    private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13, "ArrowDown", 40);
 
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
             "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");

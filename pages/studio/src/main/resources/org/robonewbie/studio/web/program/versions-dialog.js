@@ -59,7 +59,7 @@ function versionList(versions, diffs, chosen) {
 }
 
 const legend = () =>
-  element('p', {}, element('del', {}, '− only in this version'), ' ', element('ins', {}, '+ only in the editor'));
+  element('p', {}, element('del', {}, '− only in this version'), element('ins', {}, '+ only in the editor'));
 
 /** @param {number} lines */
 const changeText = (lines) => (lines === 0 ? 'same as now' : lines === 1 ? '1 line differs' : `${lines} lines differ`);
