@@ -153,6 +153,16 @@ class SiteBuilderTest {
     }
 
     @Test
+    void worksheetBeginsWithCommandsAndTimesOfItsExercise() throws IOException {
+        build(projectRoot());
+
+        assertThat(read("exercises/12-kick.html"))
+                .contains("<h2 id=\"begin\">", "./robonewbie grade kick --start", "120 minutes", "12 seconds");
+        assertThat(read("exercises/de/12-kick.html"))
+                .contains("<h2 id=\"beginnen\">", "kick Kick.java --language de", "120 Minuten", "12 Sekunden");
+    }
+
+    @Test
     void pagesLoadNothingFromOutsideAndHaveNoScriptInside() throws IOException {
         build(projectRoot());
 
