@@ -152,7 +152,8 @@ class LanguageTest {
     @ParameterizedTest
     @EnumSource(Language.class)
     void indexListsTitleTimeAndGoalOfEachExercise(Language language) {
-        Path worksheet = Path.of("../../docs/exercises", language.worksheet(Exercises.all().get(0)));
+        Path worksheet = Path.of(
+                "../../docs/exercises", language.worksheet(Exercises.all().get(0)));
         String rows = Exercises.all().stream()
                 .map(exercise -> String.format(
                         "| %d | [%s](%s.md) | %d | %s |\n",
