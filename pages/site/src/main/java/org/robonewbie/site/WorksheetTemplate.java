@@ -22,8 +22,8 @@ final class WorksheetTemplate {
 
             ```sh
             ./robonewbie grade {{name}} --start  # write {{file}}
-            ./robonewbie grade {{name}} {{file}} --watch  # grade it with three seeds and watch the first trial
-            ./robonewbie grade {{name}} {{file}} --seeds 10  # grade it with ten seeds
+            ./robonewbie grade {{name}} {{file}} --watch  # grade it and watch
+            ./robonewbie grade {{name}} {{file}} --seeds 10  # ten seeds instead of three
             ```
 
             The exercise takes about {{minutes}} minutes, a trial up to {{seconds}} seconds.
@@ -44,8 +44,8 @@ final class WorksheetTemplate {
 
             ```sh
             ./robonewbie grade {{name}} --start  # schreibt {{file}}
-            ./robonewbie grade {{name}} {{file}} --language de --watch  # bewertet mit drei Startzahlen und zeigt den ersten Versuch
-            ./robonewbie grade {{name}} {{file}} --language de --seeds 10  # bewertet mit zehn Startzahlen
+            ./robonewbie grade {{name}} {{file}} --language de --watch  # bewerten und zusehen
+            ./robonewbie grade {{name}} {{file}} --language de --seeds 10  # zehn Startzahlen statt drei
             ```
 
             Die Aufgabe dauert etwa {{minutes}} Minuten, ein Versuch bis zu {{seconds}} Sekunden.
