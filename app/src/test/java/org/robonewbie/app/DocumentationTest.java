@@ -117,18 +117,6 @@ class DocumentationTest {
     }
 
     @Test
-    void everyDecisionIsListed() throws IOException {
-        Path decisions = Project.ROOT.resolve("docs/decisions");
-        String list = Project.read(decisions.resolve("README.md"));
-
-        try (Stream<Path> files = Files.list(decisions)) {
-            assertThat(files)
-                    .allMatch(file -> file.endsWith("README.md")
-                            || list.contains(file.getFileName().toString()));
-        }
-    }
-
-    @Test
     void everyLibraryOfTheProgramIsNamed() {
         String notice = Project.read(Project.ROOT.resolve("NOTICE"));
         Pattern forTests =
