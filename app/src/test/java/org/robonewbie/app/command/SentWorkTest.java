@@ -12,6 +12,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
@@ -109,6 +110,7 @@ class SentWorkTest {
                 .doesNotContain("Cora");
     }
 
+    @Tag("slow")
     @Test
     void nameOfAFolderIsNotTakenASecondTime() throws IOException {
         Path own = Files.createDirectories(folder.resolve("class/anna"));
@@ -150,6 +152,7 @@ class SentWorkTest {
                                 + " another name.\"");
     }
 
+    @Tag("slow")
     @Test
     void singleFilesAreGradedAndOthersAreNamed() throws IOException {
         send(
