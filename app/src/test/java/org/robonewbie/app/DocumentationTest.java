@@ -32,6 +32,7 @@ class DocumentationTest {
     private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
     private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
     private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
+    private static final Pattern TEST_NAME = Pattern.compile("(?:`|-Dtest=)([A-Z]\\w*Test)\\b");
     private static final int MAX_LINES_OF_FIRST_PROGRAM = 12;
 
     @TempDir
@@ -75,6 +76,18 @@ class DocumentationTest {
                 .toList();
 
         assertThat(broken).as(page.toString()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("pages")
+    void namedTestsExist(Path page) {
+        List<String> names = Project.sources("Test.java").stream()
+                .map(file -> file.getFileName().toString().replace(".java", ""))
+                .toList();
+
+        assertThat(TEST_NAME.matcher(Project.read(page)).results().map(match -> match.group(1)))
+                .as(page.toString())
+                .isSubsetOf(names);
     }
 
     @ParameterizedTest
