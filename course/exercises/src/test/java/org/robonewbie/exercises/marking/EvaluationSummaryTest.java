@@ -65,7 +65,8 @@ class EvaluationSummaryTest {
     void directionOfTheProportionIsExplained() {
         assertThat(EvaluationSummary.of(List.of("proportion", "4", "5")).toString())
                 .contains(
-                        "4.50", "proportion: 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise");
+                        "4.50",
+                        "proportion: 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise");
     }
 
     @Test
