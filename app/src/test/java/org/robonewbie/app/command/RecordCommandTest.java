@@ -64,6 +64,7 @@ class RecordCommandTest {
                 .isEqualTo(rows.get(0).split(",").length);
     }
 
+    @Tag("slow")
     @Test
     void sameSeedGivesTheSameTables() throws IOException {
         record(folder.resolve("one"), "--runs", "3", "--threads", "1");
@@ -241,6 +242,7 @@ class RecordCommandTest {
         assertThat(out.resolve("cycles/run-00001.csv")).isRegularFile();
     }
 
+    @Tag("slow")
     @Test
     @EnabledOnOs(OS.LINUX)
     void fullDiskIsToldAndLeavesNothingHalfDone() throws IOException {
