@@ -24,7 +24,8 @@ class EvaluationFormTest {
 
     @Test
     void bothLanguagesAskTheSameQuestions() {
-        List<String> questions = List.of(example.lines().findFirst().orElseThrow().split(",", -1));
+        List<String> questions =
+                List.of(example.lines().findFirst().orElseThrow().split(",", -1));
 
         assertThat(QUESTION.matcher(form).results().map(row -> row.group(1)))
                 .containsExactlyElementsOf(
@@ -35,6 +36,7 @@ class EvaluationFormTest {
     void exampleIsSummarised(@TempDir Path folder) throws IOException {
         Path answers = Files.writeString(folder.resolve("answers.csv"), example);
 
-        assertThat(EvaluationSummary.of(answers).toString()).contains("experiments", "proportion: 1 = much more lecture");
+        assertThat(EvaluationSummary.of(answers).toString())
+                .contains("experiments", "proportion: 1 = much more lecture");
     }
 }

@@ -91,7 +91,8 @@ public final class EvaluationSummary {
             }
         }
         if (questions.contains(PROPORTION)) {
-            table.append(PROPORTION + ": 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise")
+            table.append(PROPORTION
+                            + ": 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise")
                     .append(System.lineSeparator());
         }
         return table.toString();
