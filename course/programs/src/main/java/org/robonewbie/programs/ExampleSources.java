@@ -46,7 +46,8 @@ public final class ExampleSources {
      */
     public String startingWith(Path file, Optional<String> example) {
         String name = String.valueOf(file.getFileName()).replace(".java", "");
-        String text = example.map(given -> renamed(given, name)).orElseGet(() -> template().replace(TEMPLATE, name));
+        String text = example.map(given -> renamed(given, name))
+                .orElseGet(() -> template().replace(TEMPLATE, name));
         return packageOf(file).map(own -> "package " + own + ";\n\n" + text).orElse(text);
     }
 

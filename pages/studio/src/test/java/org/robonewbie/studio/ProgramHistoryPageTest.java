@@ -85,8 +85,7 @@ class ProgramHistoryPageTest {
 
         awaitSaved("class Kick {\n    int force = 1;\n}\n");
         assertThat(versions).isEqualTo("just now, 2 lines differ\njust now, 1 line differs\nearlier, 1 line differs");
-        assertThat(comparison)
-                .isEqualTo("  class Kick {\n−     int force = 1;\n+     int force = 3;\n  }\n  ");
+        assertThat(comparison).isEqualTo("  class Kick {\n−     int force = 1;\n+     int force = 3;\n  }\n  ");
         assertThat(file).hasContent("class Kick {\r\n    int force = 1;\r\n}\r\n");
         browser.evaluate("studio.rooms.program.editor.view.focus()");
         browser.press("z", CONTROL);
