@@ -1,0 +1,96 @@
+package org.robonewbie.workshop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.file.PolicyFile;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+
+/**
+ * Tables of the documentation that are computed from the product. Each stands on one page, between the comments {@code <!--
+ * generated: NAME -->} and {@code <!-- end -->}. To update the pages:
+ *
+ * <pre>./mvnw test -pl workshop -am -Dtest=GeneratedTablesTest -Dsurefire.failIfNoSpecifiedTests=false -Dtables=write</pre>
+ */
+class GeneratedTablesTest {
+
+    private static final Map<String, Supplier<List<String>>> TABLES = new TreeMap<>(Map.of(
+            "shipped motions", GeneratedTablesTest::motions,
+            "shipped policies", GeneratedTablesTest::policies));
+
+    static Set<String> names() {
+        return TABLES.keySet();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void onePageHasTheCurrentTable(String name) throws IOException {
+        List<PageTable> places = PageTable.all("generated: " + name);
+        assertThat(places).as("pages with the table of " + name).hasSize(1);
+        String table = String.join("\n", TABLES.get(name).get());
+
+        if (System.getProperty("tables", "").equals("write")) {
+            places.get(0).replace(table);
+        }
+
+        assertThat(PageTable.all("generated: " + name).get(0).text())
+                .as("The table is out of date; the comment of this test says how to write it.")
+                .isEqualTo(table);
+    }
+
+    /** One row for each motion, mirrored ones in the row of the left one, from the comments in its file. */
+    private static List<String> motions() {
+        Set<String> names = new ShippedMotions().names();
+        List<String> rows = new ArrayList<>(header("motion", "what the robot does", "begins", "success is", "measured"));
+        for (String name : names) {
+            String mirrored = name.replace("left", "right");
+            if (mirrored.equals(name) && names.contains(name.replace("right", "left")) && name.contains("right")) {
+                continue;
+            }
+            MotionFile file = ShippedMotions.file(name);
+            String[] measured = file.property("measured").orElse("; success: ").split("; success: ", -1);
+            rows.add(row(
+                    mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, `" + mirrored + "`",
+                    file.property("does").orElse(""),
+                    file.property("start").orElse(""),
+                    measured[1],
+                    measured[0].replace(" trials, mean ", ", ")));
+        }
+        return rows;
+    }
+
+    private static List<String> policies() {
+        List<String> rows = new ArrayList<>(header("policy", "inputs", "joints", "weights"));
+        for (String name : Stream.of("walk", "jog", "run", "stand", "kick-to", "get-up").toList()) {
+            Policy policy = PolicyFile.shipped(name);
+            rows.add(row(
+                    "`" + name + "`",
+                    String.valueOf(policy.inputs().size()),
+                    String.valueOf(policy.outputs().size()),
+                    String.valueOf(policy.network().numbers().length)));
+        }
+        return rows;
+    }
+
+    private static List<String> header(String... cells) {
+        return List.of(row(cells), "|" + "---|".repeat(cells.length));
+    }
+
+    private static String row(String... cells) {
+        return Stream.of(cells)
+                .map(cell -> cell.replace(" degrees", "°"))
+                .collect(Collectors.joining(" | ", "| ", " |"));
+    }
+}

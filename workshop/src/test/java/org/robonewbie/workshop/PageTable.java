@@ -1,0 +1,56 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * A table in a page of the documentation between two comments.
+ *
+ * @param page the page
+ * @param label the first comment, which says where the table comes from
+ * @param text the lines between the comments
+ */
+record PageTable(Path page, String label, String text) {
+
+    private static final Path DOCS = Path.of("..", "docs");
+
+    /** Returns the tables whose first comment begins with a text, in all pages. */
+    static List<PageTable> all(String label) throws IOException {
+        Pattern table = Pattern.compile("(?s)<!-- (" + Pattern.quote(label) + "[^\\n]*?) -->\\n\\n(.*?)\\n\\n<!-- end -->");
+        try (Stream<Path> files = Files.walk(DOCS)) {
+            return files.filter(file -> file.toString().endsWith(".md"))
+                    .sorted()
+                    .flatMap(page -> table.matcher(read(page)).results().map(found -> of(page, found)))
+                    .toList();
+        }
+    }
+
+    private static PageTable of(Path page, MatchResult found) {
+        return new PageTable(page, found.group(1), found.group(2));
+    }
+
+    /** Returns the rows below the header. */
+    List<String> rows() {
+        return text.lines().skip(2).toList();
+    }
+
+    /** Writes another table into the page. */
+    void replace(String table) throws IOException {
+        String before = "<!-- " + label + " -->\n\n";
+        Files.writeString(page, read(page).replace(before + text, before + table));
+    }
+
+    private static String read(Path page) {
+        try {
+            return Files.readString(page);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+}
