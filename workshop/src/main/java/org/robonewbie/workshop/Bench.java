@@ -31,6 +31,7 @@ import picocli.CommandLine.ScopeType;
             "",
             "Examples:",
             "  bench motions --seeds 3     try each shipped motion three times",
+            "  bench examples              how long does each example think?",
             "  bench server --fast         play with 22 robots over TCP",
             "  bench speed --robots 1,22   how fast is a step?",
             "  bench fidelity              how close is it to the real rcssserver3d?",

@@ -3,9 +3,13 @@ package org.robonewbie.workshop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -26,6 +30,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
  */
 class GeneratedTablesTest {
 
+    private static final Path POLICIES = Path.of("..", "core", "agent", "src", "main", "resources", "policies");
     private static final Map<String, Supplier<List<String>>> TABLES = new TreeMap<>(Map.of(
             "shipped motions", GeneratedTablesTest::motions,
             "shipped policies", GeneratedTablesTest::policies));
@@ -39,7 +44,7 @@ class GeneratedTablesTest {
     void onePageHasTheCurrentTable(String name) throws IOException {
         List<PageTable> places = PageTable.all("generated: " + name);
         assertThat(places).as("pages with the table of " + name).hasSize(1);
-        String table = String.join("\n", TABLES.get(name).get());
+        String table = String.join("\n", Objects.requireNonNull(TABLES.get(name)).get());
 
         if (System.getProperty("tables", "").equals("write")) {
             places.get(0).replace(table);
@@ -53,33 +58,35 @@ class GeneratedTablesTest {
     /** One row for each motion, mirrored ones in the row of the left one, from the comments in its file. */
     private static List<String> motions() {
         Set<String> names = new ShippedMotions().names();
-        List<String> rows = new ArrayList<>(header("motion", "what the robot does", "begins", "success is", "measured"));
+        List<String> rows = new ArrayList<>(header("motion", "what the robot does", "begins", "measured"));
         for (String name : names) {
             String mirrored = name.replace("left", "right");
             if (mirrored.equals(name) && names.contains(name.replace("right", "left")) && name.contains("right")) {
                 continue;
             }
             MotionFile file = ShippedMotions.file(name);
-            String[] measured = file.property("measured").orElse("; success: ").split("; success: ", -1);
             rows.add(row(
                     mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, `" + mirrored + "`",
                     file.property("does").orElse(""),
                     file.property("start").orElse(""),
-                    measured[1],
-                    measured[0].replace(" trials, mean ", ", ")));
+                    file.property("measured").orElse("").replaceFirst("; success: .*", "").replace(" trials, mean ", ", ")));
         }
         return rows;
     }
 
     private static List<String> policies() {
         List<String> rows = new ArrayList<>(header("policy", "inputs", "joints", "weights"));
-        for (String name : Stream.of("walk", "jog", "run", "stand", "kick-to", "get-up").toList()) {
-            Policy policy = PolicyFile.shipped(name);
-            rows.add(row(
-                    "`" + name + "`",
-                    String.valueOf(policy.inputs().size()),
-                    String.valueOf(policy.outputs().size()),
-                    String.valueOf(policy.network().numbers().length)));
+        try (Stream<Path> files = Files.list(POLICIES)) {
+            files.sorted().forEach(file -> {
+                Policy policy = PolicyFile.read(file);
+                rows.add(row(
+                        "`" + file.getFileName().toString().replace(".policy", "") + "`",
+                        String.valueOf(policy.inputs().size()),
+                        String.valueOf(policy.outputs().size()),
+                        String.valueOf(policy.network().numbers().length)));
+            });
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
         }
         return rows;
     }

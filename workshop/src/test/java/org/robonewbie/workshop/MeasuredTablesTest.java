@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.util.Iterator;
 import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.model.RobotType;
@@ -21,13 +23,15 @@ import org.robonewbie.workshop.team.PlayerChecks;
  */
 class MeasuredTablesTest {
 
+    private static final Pattern FIGURE = Pattern.compile("\\b\\d+\\.\\d{3} (?:m/s|ms|m|s|°/s)(?![\\w/])");
+
     @Test
     void motionsAreCheckedAsTheTableSays() throws IOException {
         List<MotionCheck> checks = Stream.concat(
                         MotionMeasurement.checks().stream(), PlayerChecks.all(RobotType.TYPE_0).stream())
                 .toList();
 
-        assertThat(rows("bench motions"))
+        assertThat(rows("bench motions --table"))
                 .isNotEmpty()
                 .allMatch(row -> checks.stream().anyMatch(check -> isOf(check, row)));
     }
@@ -46,6 +50,17 @@ class MeasuredTablesTest {
         AgentMeasurement.rules()
                 .forEach((name, rule) -> assertThat(rows.next()).startsWith("| `" + name + "` | ").endsWith(" | " + rule + " |"));
         assertThat(rows).isExhausted();
+    }
+
+    @Test
+    void figureOfATableStandsNowhereElse() throws IOException {
+        List<PageTable> tables = PageTable.all("");
+        String rest = PageTable.textOutsideTables();
+
+        assertThat(tables).isNotEmpty().allSatisfy(table -> assertThat(FIGURE.matcher(table.text()).results())
+                .map(MatchResult::group)
+                .as(table.label())
+                .noneMatch(figure -> rest.contains(" " + figure)));
     }
 
     private static boolean isOf(MotionCheck check, String row) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -19,15 +20,27 @@ import java.util.stream.Stream;
 record PageTable(Path page, String label, String text) {
 
     private static final Path DOCS = Path.of("..", "docs");
+    private static final Pattern TABLE =
+            Pattern.compile("(?s)<!-- ((?:generated|measured): [^\\n]*?) -->\\n\\n(.*?)\\n\\n<!-- end -->");
 
     /** Returns the tables whose first comment begins with a text, in all pages. */
     static List<PageTable> all(String label) throws IOException {
-        Pattern table = Pattern.compile("(?s)<!-- (" + Pattern.quote(label) + "[^\\n]*?) -->\\n\\n(.*?)\\n\\n<!-- end -->");
+        return pages().stream()
+                .flatMap(page -> TABLE.matcher(read(page)).results().map(found -> of(page, found)))
+                .filter(table -> table.label().startsWith(label))
+                .toList();
+    }
+
+    /** Returns the text of all pages without these tables. */
+    static String textOutsideTables() throws IOException {
+        return pages().stream()
+                .map(page -> TABLE.matcher(read(page)).replaceAll(""))
+                .collect(Collectors.joining());
+    }
+
+    private static List<Path> pages() throws IOException {
         try (Stream<Path> files = Files.walk(DOCS)) {
-            return files.filter(file -> file.toString().endsWith(".md"))
-                    .sorted()
-                    .flatMap(page -> table.matcher(read(page)).results().map(found -> of(page, found)))
-                    .toList();
+            return files.filter(file -> file.toString().endsWith(".md")).sorted().toList();
         }
     }
 

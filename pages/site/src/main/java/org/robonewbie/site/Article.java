@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Heading;
@@ -23,6 +24,7 @@ import org.commonmark.renderer.text.TextContentRenderer;
 final class Article {
 
     private static final List<TablesExtension> TABLES = List.of((TablesExtension) TablesExtension.create());
+    private static final Pattern COMMENT = Pattern.compile("(?m)^<!--.*-->\\R");
     private static final Parser PARSER = Parser.builder().extensions(TABLES).build();
     private static final TextContentRenderer TEXT =
             TextContentRenderer.builder().extensions(TABLES).build();
@@ -50,7 +52,7 @@ final class Article {
     record Section(int level, String anchor, String title, String text) {}
 
     static Article read(Path source, String address) throws IOException {
-        Node document = PARSER.parse(Files.readString(source));
+        Node document = PARSER.parse(COMMENT.matcher(Files.readString(source)).replaceAll(""));
         return new Article(source, address, document, sections(document));
     }
 

@@ -48,7 +48,7 @@ public final class ExampleLoad {
     }
 
     /**
-     * Measures examples one after the other and prints a Markdown table.
+     * Measures examples one after the other and then prints a Markdown table.
      *
      * @param part substring of the names of the examples to measure; empty for all
      * @param out destination of the table
@@ -62,10 +62,14 @@ public final class ExampleLoad {
             throw new IllegalArgumentException("No example's name contains \"" + part + "\".");
         }
         WarmUp.run(() -> true);
-        out.print(ExampleLoadResult.TITLE);
+        List<ExampleLoadResult> results = new ArrayList<>();
         for (Map.Entry<String, Class<? extends Agent>> example : chosen.entrySet()) {
-            out.println(measure(example.getKey(), agents(example.getValue())).toRow());
+            out.println(example.getKey() + " plays");
+            results.add(measure(example.getKey(), agents(example.getValue())));
         }
+        out.println();
+        out.print(ExampleLoadResult.TITLE);
+        results.forEach(result -> out.println(result.toRow()));
     }
 
     /** {@return the examples whose cycle the framework runs, by name; {@code Agent_Wave} runs its own} */
