@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Heading;
+import org.commonmark.node.HtmlBlock;
 import org.commonmark.node.Node;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
@@ -24,7 +24,6 @@ import org.commonmark.renderer.text.TextContentRenderer;
 final class Article {
 
     private static final List<TablesExtension> TABLES = List.of((TablesExtension) TablesExtension.create());
-    private static final Pattern COMMENT = Pattern.compile("(?m)^<!--.*-->\\R");
     private static final Parser PARSER = Parser.builder().extensions(TABLES).build();
     private static final TextContentRenderer TEXT =
             TextContentRenderer.builder().extensions(TABLES).build();
@@ -47,12 +46,12 @@ final class Article {
      * @param level level of the heading, 1 for the title
      * @param anchor its anchor
      * @param title text of the heading
-     * @param text plain text up to the next heading
+     * @param text plain text up to the next heading, without comments
      */
     record Section(int level, String anchor, String title, String text) {}
 
     static Article read(Path source, String address) throws IOException {
-        Node document = PARSER.parse(COMMENT.matcher(Files.readString(source)).replaceAll(""));
+        Node document = PARSER.parse(Files.readString(source));
         return new Article(source, address, document, sections(document));
     }
 
@@ -123,7 +122,9 @@ final class Article {
     private static String textBelow(Heading heading) {
         StringBuilder text = new StringBuilder();
         for (Node node = heading.getNext(); node != null && !(node instanceof Heading); node = node.getNext()) {
-            text.append(text(node)).append(' ');
+            if (!(node instanceof HtmlBlock)) {
+                text.append(text(node)).append(' ');
+            }
         }
         return text.toString().replaceAll("\\s+", " ").trim();
     }
