@@ -31,7 +31,15 @@ class BenchTest {
     void helpListsAllSubjects() {
         assertThat(bench("--help")).isZero();
         assertThat(out.toString())
-                .contains("  motions", "  agents", "  examples", "  team", "  server", "  speed", "  fidelity", "  record");
+                .contains(
+                        "  motions",
+                        "  agents",
+                        "  examples",
+                        "  team",
+                        "  server",
+                        "  speed",
+                        "  fidelity",
+                        "  record");
     }
 
     @Test

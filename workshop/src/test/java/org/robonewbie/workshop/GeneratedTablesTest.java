@@ -44,7 +44,8 @@ class GeneratedTablesTest {
     void onePageHasTheCurrentTable(String name) throws IOException {
         List<PageTable> places = PageTable.all("generated: " + name);
         assertThat(places).as("pages with the table of " + name).hasSize(1);
-        String table = String.join("\n", Objects.requireNonNull(TABLES.get(name)).get());
+        String table =
+                String.join("\n", Objects.requireNonNull(TABLES.get(name)).get());
 
         if (System.getProperty("tables", "").equals("write")) {
             places.get(0).replace(table);
@@ -69,7 +70,10 @@ class GeneratedTablesTest {
                     mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, `" + mirrored + "`",
                     file.property("does").orElse(""),
                     file.property("start").orElse(""),
-                    file.property("measured").orElse("").replaceFirst("; success: .*", "").replace(" trials, mean ", ", ")));
+                    file.property("measured")
+                            .orElse("")
+                            .replaceFirst("; success: .*", "")
+                            .replace(" trials, mean ", ", ")));
         }
         return rows;
     }

@@ -48,7 +48,9 @@ class MeasuredTablesTest {
         Iterator<String> rows = rows("bench agents").iterator();
 
         AgentMeasurement.rules()
-                .forEach((name, rule) -> assertThat(rows.next()).startsWith("| `" + name + "` | ").endsWith(" | " + rule + " |"));
+                .forEach((name, rule) -> assertThat(rows.next())
+                        .startsWith("| `" + name + "` | ")
+                        .endsWith(" | " + rule + " |"));
         assertThat(rows).isExhausted();
     }
 
@@ -57,10 +59,12 @@ class MeasuredTablesTest {
         List<PageTable> tables = PageTable.all("");
         String rest = PageTable.textOutsideTables();
 
-        assertThat(tables).isNotEmpty().allSatisfy(table -> assertThat(FIGURE.matcher(table.text()).results())
-                .map(MatchResult::group)
-                .as(table.label())
-                .noneMatch(figure -> rest.contains(" " + figure)));
+        assertThat(tables)
+                .isNotEmpty()
+                .allSatisfy(table -> assertThat(FIGURE.matcher(table.text()).results())
+                        .map(MatchResult::group)
+                        .as(table.label())
+                        .noneMatch(figure -> rest.contains(" " + figure)));
     }
 
     private static boolean isOf(MotionCheck check, String row) {
