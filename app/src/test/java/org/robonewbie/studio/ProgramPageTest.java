@@ -125,6 +125,7 @@ class ProgramPageTest {
         Files.write(Files.createDirectories(pictures).resolve(name + ".png"), browser.screenshot());
     }
 
+    @Tag("slow")
     @Test
     void mistakeIsShownBelowItsLineWithWhatToDo() {
         visit();
@@ -303,6 +304,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void panelOfExercisesLeadsToTheProgramBesideTheRobot() {
         browser.visit(studio.address() + "&theme=light&quality=lowest#field/exercises");
