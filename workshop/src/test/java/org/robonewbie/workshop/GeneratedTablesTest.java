@@ -13,12 +13,14 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Exercises;
+import org.robonewbie.exercises.Language;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
@@ -33,7 +35,9 @@ class GeneratedTablesTest {
     private static final Path POLICIES = Path.of("..", "core", "agent", "src", "main", "resources", "policies");
     private static final Map<String, Supplier<List<String>>> TABLES = new TreeMap<>(Map.of(
             "shipped motions", GeneratedTablesTest::motions,
-            "shipped policies", GeneratedTablesTest::policies));
+            "shipped policies", GeneratedTablesTest::policies,
+            "exercises", () -> exercises(Language.ENGLISH, "", "exercise", "minutes", "what the robot does"),
+            "Aufgaben", () -> exercises(Language.GERMAN, "", "Aufgabe", "Minuten", "was der Roboter tut")));
 
     static Set<String> names() {
         return TABLES.keySet();
@@ -68,12 +72,13 @@ class GeneratedTablesTest {
             MotionFile file = ShippedMotions.file(name);
             rows.add(row(
                     mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, `" + mirrored + "`",
-                    file.property("does").orElse(""),
+                    file.property("does").orElse("").replace(" degrees", "°"),
                     file.property("start").orElse(""),
                     file.property("measured")
                             .orElse("")
                             .replaceFirst("; success: .*", "")
-                            .replace(" trials, mean ", ", ")));
+                            .replace(" trials, mean ", ", ")
+                            .replace(" degrees", "°")));
         }
         return rows;
     }
@@ -95,13 +100,25 @@ class GeneratedTablesTest {
         return rows;
     }
 
+    private static List<String> exercises(Language language, String... header) {
+        List<String> rows = new ArrayList<>(header(header));
+        for (Exercise exercise : Exercises.all()) {
+            String sheet = PageTable.read(PageTable.DOCS.resolve("exercises/" + language.worksheet(exercise) + ".md"));
+            String title = sheet.lines().findFirst().orElse("").replaceFirst("# \\w+ \\d+: ", "");
+            rows.add(row(
+                    String.valueOf(exercise.number()),
+                    "[" + title + "](" + exercise.fullName() + ".md)",
+                    String.valueOf(exercise.minutes()),
+                    language.translated(exercise.goal())));
+        }
+        return rows;
+    }
+
     private static List<String> header(String... cells) {
         return List.of(row(cells), "|" + "---|".repeat(cells.length));
     }
 
     private static String row(String... cells) {
-        return Stream.of(cells)
-                .map(cell -> cell.replace(" degrees", "°"))
-                .collect(Collectors.joining(" | ", "| ", " |"));
+        return ("| " + String.join(" | ", cells) + " |").replace("|  |", "| |");
     }
 }

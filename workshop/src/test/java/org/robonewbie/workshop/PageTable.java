@@ -19,7 +19,8 @@ import java.util.stream.Stream;
  */
 record PageTable(Path page, String label, String text) {
 
-    private static final Path DOCS = Path.of("..", "docs");
+    /** Folder of the pages. */
+    static final Path DOCS = Path.of("..", "docs");
     private static final Pattern TABLE =
             Pattern.compile("(?s)<!-- ((?:generated|measured): [^\\n]*?) -->\\n\\n(.*?)\\n\\n<!-- end -->");
 
@@ -61,7 +62,7 @@ record PageTable(Path page, String label, String text) {
         Files.writeString(page, read(page).replace(before + text, before + table));
     }
 
-    private static String read(Path page) {
+    static String read(Path page) {
         try {
             return Files.readString(page);
         } catch (IOException unreadable) {
