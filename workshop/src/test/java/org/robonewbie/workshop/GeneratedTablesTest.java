@@ -34,10 +34,14 @@ class GeneratedTablesTest {
 
     private static final Path POLICIES = Path.of("..", "core", "agent", "src", "main", "resources", "policies");
     private static final Map<String, Supplier<List<String>>> TABLES = new TreeMap<>(Map.of(
-            "shipped motions", GeneratedTablesTest::motions,
-            "shipped policies", GeneratedTablesTest::policies,
-            "exercises", () -> exercises(Language.ENGLISH, "", "exercise", "minutes", "what the robot does"),
-            "Aufgaben", () -> exercises(Language.GERMAN, "", "Aufgabe", "Minuten", "was der Roboter tut")));
+            "shipped motions",
+            GeneratedTablesTest::motions,
+            "shipped policies",
+            GeneratedTablesTest::policies,
+            "exercises",
+            () -> exercises(Language.ENGLISH, "", "exercise", "minutes", "what the robot does"),
+            "Aufgaben",
+            () -> exercises(Language.GERMAN, "", "Aufgabe", "Minuten", "was der Roboter tut")));
 
     static Set<String> names() {
         return TABLES.keySet();

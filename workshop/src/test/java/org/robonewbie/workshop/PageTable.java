@@ -21,6 +21,7 @@ record PageTable(Path page, String label, String text) {
 
     /** Folder of the pages. */
     static final Path DOCS = Path.of("..", "docs");
+
     private static final Pattern TABLE =
             Pattern.compile("(?s)<!-- ((?:generated|measured): [^\\n]*?) -->\\n\\n(.*?)\\n\\n<!-- end -->");
 
