@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Heading;
+import org.commonmark.node.HtmlBlock;
 import org.commonmark.node.Node;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
@@ -54,6 +55,23 @@ final class Article {
         return new Article(source, address, document, sections(document));
     }
 
+    /** Reads one chapter of a page as a page, with the chapter's heading as its title. */
+    static Article readChapter(Path source, String title, String address) throws IOException {
+        Node document = PARSER.parse(Files.readString(source));
+        boolean isInside = false;
+        for (Node node = document.getFirstChild(), next; node != null; node = next) {
+            next = node.getNext();
+            if (node instanceof Heading heading && heading.getLevel() <= 2) {
+                isInside = text(heading).equals(title);
+                heading.setLevel(1);
+            }
+            if (!isInside) {
+                node.unlink();
+            }
+        }
+        return new Article(source, address, document, sections(document));
+    }
+
     Path source() {
         return source;
     }
@@ -64,6 +82,16 @@ final class Article {
 
     Node document() {
         return document;
+    }
+
+    /** Returns the language as in HTML. */
+    String language() {
+        return language(address);
+    }
+
+    /** Returns the language of the page at an address. */
+    static String language(String address) {
+        return address.contains("/de/") ? "de" : "en";
     }
 
     /** Returns the text of the first heading. */
@@ -121,12 +149,15 @@ final class Article {
     private static String textBelow(Heading heading) {
         StringBuilder text = new StringBuilder();
         for (Node node = heading.getNext(); node != null && !(node instanceof Heading); node = node.getNext()) {
-            text.append(text(node)).append(' ');
+            if (!(node instanceof HtmlBlock)) {
+                text.append(text(node)).append(' ');
+            }
         }
         return text.toString().replaceAll("\\s+", " ").trim();
     }
 
-    private static String text(Node node) {
+    /** Returns the plain text of a node. */
+    static String text(Node node) {
         return TEXT.render(node).trim();
     }
 
