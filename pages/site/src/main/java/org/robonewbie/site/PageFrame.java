@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** HTML template around each page: name, version, search, table of contents, and links to the previous and the next page. */
 final class PageFrame {
@@ -102,9 +103,9 @@ final class PageFrame {
     }
 
     private static String entry(String address, Navigation.Entry entry) {
-        String folder = entry.article().address().replaceFirst("index\\.html$", "");
-        boolean open = !entry.below().isEmpty() && address.startsWith(folder);
-        String below = open
+        boolean isHere = Stream.concat(Stream.of(entry.article()), entry.below().stream())
+                .anyMatch(article -> article.address().equals(address));
+        String below = isHere && !entry.below().isEmpty()
                 ? "<ul>"
                         + entry.below().stream()
                                 .map(article -> item(address, article, ""))
@@ -131,12 +132,13 @@ final class PageFrame {
         List<Article.Section> sections = article.sections().stream()
                 .filter(section -> section.level() == 2)
                 .toList();
+        String heading = article.language().equals("de") ? "Auf dieser Seite" : "On this page";
         return sections.size() < 2
                 ? ""
                 : sections.stream()
                         .map(section ->
                                 "<li><a href=\"#" + section.anchor() + "\">" + escape(section.title()) + "</a></li>")
-                        .collect(Collectors.joining("\n", "<h2>On this page</h2>\n<ul>\n", "\n</ul>"));
+                        .collect(Collectors.joining("\n", "<h2>" + heading + "</h2>\n<ul>\n", "\n</ul>"));
     }
 
     private String neighbours(Article article) {
