@@ -291,10 +291,13 @@ class RecordCommandTest {
 
     @Tag("slow")
     @Test
-    void pandasReadsItAsThePageTells() throws Exception {
+    void exampleOfThePageFindsTheDragOfTheBall() throws Exception {
         Python python = new Python(folder);
         python.skipWithout("pandas, pyarrow, gymnasium");
-        assertThat(record(folder.resolve("dataset"), "--runs", "2").exitCode()).isZero();
+        String dataset = folder.resolve("dataset").toString();
+        Printed recorded =
+                Printed.by("record", "Agent_BetterSoccer", "--runs", "4", "--seconds", "20", "--out", dataset);
+        assertThat(recorded.exitCode()).as(recorded.err()).isZero();
         Matcher sample = Pattern.compile("(?ms)^```python\\R(.*?)^```")
                 .matcher(Project.read(Project.ROOT.resolve("docs/datasets.md")));
         assertThat(sample.find()).isTrue();
@@ -303,7 +306,9 @@ class RecordCommandTest {
         Python.Result result = python.run(Map.of(), "-c", sample.group(1));
 
         assertThat(result.code()).as(result.printed()).isZero();
-        assertThat(result.printed()).contains("194 rows").contains("true_tilt is in degrees");
+        assertThat(result.printed())
+                .contains("drag: 1.073 m/s² for each m/s", "drag: mean error 0.002 m")
+                .containsPattern("constant: mean error 0\\.[01]\\d\\d m");
     }
 
     @Tag("slow")
