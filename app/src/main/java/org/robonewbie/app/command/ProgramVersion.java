@@ -19,7 +19,9 @@ final class ProgramVersion {
     static String line() {
         String commit = commit();
         return "RoboNewbie "
-                + project().map(version -> commit.isEmpty() ? version : version + " (" + commit + ")").orElse("(not packaged)")
+                + project()
+                        .map(version -> commit.isEmpty() ? version : version + " (" + commit + ")")
+                        .orElse("(not packaged)")
                 + ", Java " + Runtime.version();
     }
 

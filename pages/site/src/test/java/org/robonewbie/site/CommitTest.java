@@ -61,9 +61,14 @@ class CommitTest {
     }
 
     private boolean git(String... arguments) throws InterruptedException {
-        List<String> command = Stream.concat(Stream.of("git"), Stream.of(arguments)).toList();
+        List<String> command =
+                Stream.concat(Stream.of("git"), Stream.of(arguments)).toList();
         try {
-            return new ProcessBuilder(command).directory(folder.toFile()).start().waitFor() == 0;
+            return new ProcessBuilder(command)
+                            .directory(folder.toFile())
+                            .start()
+                            .waitFor()
+                    == 0;
         } catch (IOException notInstalled) {
             return false;
         }

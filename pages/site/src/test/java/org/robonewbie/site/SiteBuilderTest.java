@@ -86,7 +86,9 @@ class SiteBuilderTest {
 
     @Test
     void pageOfAReaderListsOnlyItsChapter() throws IOException {
-        page("docs/README.md", "# Start\n\n## Students\n\n[Walk](lessons/README.md)\n\n## Teachers\n\n[Rules](rules.md)\n");
+        page(
+                "docs/README.md",
+                "# Start\n\n## Students\n\n[Walk](lessons/README.md)\n\n## Teachers\n\n[Rules](rules.md)\n");
 
         build(project);
 
