@@ -97,7 +97,11 @@ public final class SiteBuilder {
         List<Path> files;
         try (Stream<Path> atRoot = Files.list(root);
                 Stream<Path> docs = Files.walk(root.resolve("docs"))) {
-            files = Stream.of(atRoot, docs, Stream.of("research/python/README.md", "release/README.md").map(root::resolve))
+            files = Stream.of(
+                            atRoot,
+                            docs,
+                            Stream.of("research/python/README.md", "release/README.md")
+                                    .map(root::resolve))
                     .flatMap(stream -> stream)
                     .filter(file -> file.toString().endsWith(".md") && Files.isRegularFile(file))
                     .sorted()

@@ -60,15 +60,14 @@
     return engine;
   }
 
-  /** Returns the best hits: first those with all words, then, if there are few, those with some words or misspelt ones. */
+  /** Returns the best hits, which may have only some of the words; misspelt words count only if there are few others. */
   function find(engine, query) {
-    const search = (combineWith, fuzzy) =>
-      engine.search(query, { combineWith, fuzzy, boostDocument, boost: { page: 3, title: 4 }, prefix: true });
-    const exact = search('AND', false);
-    const ids = new Set(exact.map((hit) => hit.id));
-    const others = exact.length < FEW_HITS ? search('OR', 0.2).filter((hit) => !ids.has(hit.id)) : [];
+    const search = (fuzzy) =>
+      engine.search(query, { fuzzy, boostDocument, boost: { page: 5, title: 4 }, prefix: true });
+    const exact = search(false);
+    const hits = exact.length < FEW_HITS ? search(0.2) : exact;
     const ofPage = new Map();
-    return [...exact, ...others]
+    return hits
       .map((hit) => ({ ...globalThis.searchIndex[hit.id], terms: hit.terms }))
       .filter(({ page }) => ofPage.set(page, (ofPage.get(page) ?? 0) + 1).get(page) <= MAX_HITS_OF_PAGE)
       .slice(0, MAX_HITS);
