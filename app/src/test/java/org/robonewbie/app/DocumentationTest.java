@@ -33,6 +33,10 @@ class DocumentationTest {
     private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
     private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
     private static final Pattern TEST_NAME = Pattern.compile("(?:`|-Dtest=)([A-Z]\\w*Test)\\b");
+
+    private static final List<String> TESTS = Project.sources("Test.java").stream()
+            .map(file -> file.getFileName().toString().replace(".java", ""))
+            .toList();
     private static final int MAX_LINES_OF_FIRST_PROGRAM = 12;
 
     @TempDir
@@ -81,13 +85,9 @@ class DocumentationTest {
     @ParameterizedTest
     @MethodSource("pages")
     void namedTestsExist(Path page) {
-        List<String> names = Project.sources("Test.java").stream()
-                .map(file -> file.getFileName().toString().replace(".java", ""))
-                .toList();
-
         assertThat(TEST_NAME.matcher(Project.read(page)).results().map(match -> match.group(1)))
                 .as(page.toString())
-                .isSubsetOf(names);
+                .isSubsetOf(TESTS);
     }
 
     @ParameterizedTest
