@@ -44,7 +44,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball begins to roll to its receiver: to
+ * Takes the picture of a pass in {@code docs/team/knowing.md}, from a real match that stops when the ball begins to roll to its receiver: to
  * {@code target/pictures}, or where {@code -Dstudio.pictures=../docs/team/images} says.
  */
 @Tag("slow")

@@ -46,7 +46,7 @@ final class Article {
      * @param level level of the heading, 1 for the title
      * @param anchor its anchor
      * @param title text of the heading
-     * @param text plain text up to the next heading
+     * @param text plain text up to the next heading, without comments
      */
     record Section(int level, String anchor, String title, String text) {}
 
