@@ -75,6 +75,8 @@ class TextReadersTest {
             Map.entry("site/SourcePages", BUILD),
             Map.entry("site/ApiPages", BUILD),
             Map.entry("site/Article", BUILD),
+            Map.entry("site/Commit", BUILD),
+            Map.entry("app/command/ProgramVersion", RESOURCE),
             Map.entry("app/StartArchive", WRITTEN),
             Map.entry("exercises/marking/KeptMarks", WRITTEN),
             Map.entry("app/doctor/GraphicsCheck", SYSTEM),

@@ -383,7 +383,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
     }
 
     private void noteRequest(String address) {
-        if (!address.matches("(http://127\\.0\\.0\\.1:|data:|blob:|about:).*")) {
+        if (!address.matches("(http://127\\.0\\.0\\.1:|file:|data:|blob:|about:).*")) {
             complaints.add("asked for " + address);
         }
     }
