@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.app.page.CodeBlock;
 
 /** The program of version 1.1 that the page for its users ports plays as it did. */
 class PortedProgramTest {
@@ -19,8 +20,8 @@ class PortedProgramTest {
     @Tag("slow")
     @Test
     void reachesTheBallAndPushesItOnItsFeet() throws Exception {
-        String code = TutorialTest.programs()
-                .filter(program -> program.name().equals("OldSoccer"))
+        String code = CodeBlock.ofJava()
+                .filter(program -> program.className().equals("OldSoccer"))
                 .findFirst()
                 .orElseThrow()
                 .code();
