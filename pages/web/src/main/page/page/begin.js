@@ -1,6 +1,6 @@
 /** Starts the studio for the world of this page and exposes it in the browser's console as `studio`, for tests. */
 import { keep, recall } from '../panels/memory.js';
-import { assignmentOf } from '../state/class-link.js';
+import { isClassLink } from '../state/class-link.js';
 import { LAST_PROGRAM } from '../state/program/documents.js';
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
@@ -54,9 +54,9 @@ async function takeShared(repository) {
 
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
-  takeAssignment();
+  const refused = takeAssignment();
   const repository = new ProgramRepository();
-  const trouble = (await takeShared(repository)) || (storage().isLost ? NOT_KEPT : '');
+  const trouble = refused || (await takeShared(repository)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
   const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, repository, choice);
@@ -87,7 +87,7 @@ async function begin(worker) {
     studio.note(trouble);
   }
   recordings.store.full = (text) => studio.note(text);
-  addEventListener('hashchange', () => (isShared(location.hash) || assignmentOf(location.hash)) && location.reload());
+  addEventListener('hashchange', () => (isShared(location.hash) || isClassLink(location.hash)) && location.reload());
   navigator.serviceWorker?.register('service-worker.js').catch(() => {});
 }
 

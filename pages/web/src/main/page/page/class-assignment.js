@@ -1,7 +1,7 @@
 /** For pupils: the exercises that a teacher's link has chosen, and the button that sends the programs for them. */
 import { ask } from '../live/server.js';
 import { button, byId, element, offer, setText } from '../panels/elements.js';
-import { assignmentOf } from '../state/class-link.js';
+import { assignmentOf, isClassLink } from '../state/class-link.js';
 import { ClassWorker } from './class-worker.js';
 import { storage } from './page-storage.js';
 import { publicClass, withReferences } from './project.js';
@@ -13,12 +13,22 @@ const ASSIGNMENT = 'robonewbie-page-assignment';
 const NAME = 'robonewbie-page-student';
 const EXERCISES = '#field/exercises';
 
-/** Stores the assignment in the page's address, if there is one. */
+/**
+ * Stores the assignment in the page's address, if there is one.
+ *
+ * @returns {string} error message, or empty
+ */
 export function takeAssignment() {
-  const assignment = assignmentOf(location.hash);
-  if (assignment) {
-    storage().set(ASSIGNMENT, JSON.stringify(assignment));
-    history.replaceState(undefined, '', EXERCISES);
+  const { hash } = location;
+  if (!isClassLink(hash)) {
+    return '';
+  }
+  history.replaceState(undefined, '', EXERCISES);
+  try {
+    storage().set(ASSIGNMENT, JSON.stringify(assignmentOf(hash)));
+    return '';
+  } catch (failure) {
+    return /** @type {Error} */ (failure).message;
   }
 }
 

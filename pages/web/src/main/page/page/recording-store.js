@@ -22,7 +22,8 @@ import { folderOfPage, storage } from './page-storage.js';
 const COMMON = 'robonewbie';
 const MIGRATED = 'robonewbie-migrated-recordings';
 
-const NO_ROOM = 'This browser has no space left for this recording. Delete others in the Replay room, or save them as files.';
+const NO_ROOM =
+  'This browser has no space left for this recording. Delete others in the Replay room, or save them as files.';
 const ENTRIES = 'recordings';
 const PIECES = 'pieces';
 

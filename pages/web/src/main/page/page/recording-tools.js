@@ -5,7 +5,9 @@ import { button, byId, element, offer } from '../panels/elements.js';
 export function addRecordingTools(studio, recordings) {
   const note = (/** @type {unknown} */ failure) => studio().note(/** @type {Error} */ (failure).message);
   const choice = element('input', { type: 'file', accept: '.rec', multiple: '', hidden: '', id: 'recording-file' });
-  choice.addEventListener('change', () => importAll([...(choice.files ?? [])], recordings, studio().replay).catch(note));
+  choice.addEventListener('change', () =>
+    importAll([...(choice.files ?? [])], recordings, studio().replay).catch(note),
+  );
   const open = button('Open a file…', 'Opens recordings made by RoboNewbie on a computer', () => choice.click(), {
     id: 'recording-open',
   });

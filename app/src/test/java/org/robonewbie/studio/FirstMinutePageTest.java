@@ -69,6 +69,7 @@ class FirstMinutePageTest {
         awaitCard("Well done: ");
     }
 
+    @Tag("slow")
     @Test
     void threeLevelsLeadToTheFirstExerciseByKeyboardAlone() {
         visit("light");
@@ -93,6 +94,7 @@ class FirstMinutePageTest {
         assertThat(browser.evaluate("location.hash").getAsString()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void levelThatIsNotPassedSaysWhatToDo() {
         visit("light");
@@ -135,6 +137,7 @@ class FirstMinutePageTest {
         assertThat(folder.resolve("Wave.java")).doesNotExist();
     }
 
+    @Tag("slow")
     @Test
     void reloadedPageContinuesWithTheSameLevelAndText() {
         visit("light");
@@ -164,6 +167,7 @@ class FirstMinutePageTest {
         awaitCard("Drücke ▶ Run");
     }
 
+    @Tag("slow")
     @Test
     void returningUserSeesTheFieldFirst() throws IOException {
         Files.writeString(folder.resolve("MyAgent.java"), "public class MyAgent {}");

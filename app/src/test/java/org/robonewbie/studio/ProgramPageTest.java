@@ -124,6 +124,7 @@ class ProgramPageTest {
         Picture.keep(name + ".png", browser.screenshot());
     }
 
+    @Tag("slow")
     @Test
     void mistakeIsShownBelowItsLineWithWhatToDo() {
         visit();
@@ -302,6 +303,7 @@ class ProgramPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void panelOfExercisesLeadsToTheProgramBesideTheRobot() {
         browser.visit(studio.address() + "&theme=light&quality=lowest#field/exercises");

@@ -23,7 +23,9 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.ProcessResult;
+import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
+import org.robonewbie.app.page.CodeBlock;
 import org.robonewbie.programs.process.JavaCommand;
 
 class RecordCommandTest {
@@ -62,6 +64,7 @@ class RecordCommandTest {
                 .isEqualTo(rows.get(0).split(",").length);
     }
 
+    @Tag("slow")
     @Test
     void sameSeedGivesTheSameTables() throws IOException {
         record(folder.resolve("one"), "--runs", "3", "--threads", "1");
@@ -239,6 +242,7 @@ class RecordCommandTest {
         assertThat(out.resolve("cycles/run-00001.csv")).isRegularFile();
     }
 
+    @Tag("slow")
     @Test
     @EnabledOnOs(OS.LINUX)
     void fullDiskIsToldAndLeavesNothingHalfDone() throws IOException {
@@ -283,6 +287,29 @@ class RecordCommandTest {
         assertThat(again.out()).containsPattern("(?m)^([2-9]|10|11) runs are already complete and are kept.");
         assertThat(whole.exitCode()).as(whole.err()).isZero();
         assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
+    }
+
+    @Tag("slow")
+    @Test
+    void exampleOfThePageFindsTheDragOfTheBall() throws Exception {
+        Python python = new Python(folder);
+        python.skipWithout("pandas, pyarrow, gymnasium");
+        String dataset = folder.resolve("dataset").toString();
+        Printed recorded =
+                Printed.by("record", "Agent_BetterSoccer", "--runs", "4", "--seconds", "20", "--out", dataset);
+        assertThat(recorded.exitCode()).as(recorded.err()).isZero();
+        CodeBlock sample = CodeBlock.on(Project.ROOT.resolve("docs/datasets.md")).stream()
+                .filter(block -> block.language().equals("python"))
+                .findFirst()
+                .orElseThrow();
+
+        parquet(python, "dataset");
+        ProcessResult result = python.run("-c", sample.code());
+
+        assertThat(result.code()).as(result.printed()).isZero();
+        assertThat(result.printed())
+                .contains("drag: 1.073 m/s² for each m/s", "drag: mean error 0.002 m")
+                .containsPattern("constant: mean error 0\\.[01]\\d\\d m");
     }
 
     @Tag("slow")

@@ -2,16 +2,21 @@ package org.robonewbie.app.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
+import org.robonewbie.programs.process.JavaCommand;
 
 class RunCommandTest {
 
@@ -199,6 +204,39 @@ class RunCommandTest {
         Printed answer = Printed.by("run", "--class-path", folder.toString(), "Compiled");
 
         assertThat(answer.out().strip()).isEqualTo("from a class file");
+    }
+
+    @Tag("slow")
+    @Test
+    void interruptedRunPrintsNoErrors() throws Exception {
+        Path program = write("Thinking.java", """
+                import org.robonewbie.agent.Agent;
+
+                public class Thinking extends Agent {
+                    public static void main(String[] args) {
+                        new Thinking().run(args);
+                    }
+
+                    @Override
+                    protected void think() {
+                        System.out.println("thinking");
+                    }
+                }
+                """);
+        Path errors = folder.resolve("errors.txt");
+        Process run = new ProcessBuilder(
+                        JavaCommand.ofCommand(List.of("run", program.toString(), "--no-browser", "--seed", "1")))
+                .directory(folder.toFile())
+                .redirectError(errors.toFile())
+                .start();
+        try (BufferedReader output = run.inputReader()) {
+            assertThat(output.lines().anyMatch("thinking"::equals)).isTrue();
+
+            run.toHandle().destroy();
+            output.transferTo(Writer.nullWriter());
+        }
+        run.waitFor();
+        assertThat(errors).hasContent("");
     }
 
     private Path write(String name, String text) throws IOException {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -146,6 +147,24 @@ class LanguageTest {
         assertThat(Exercises.all())
                 .allMatch(exercise ->
                         Files.exists(Path.of("../../docs/exercises", language.worksheet(exercise) + ".md")));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void indexListsTitleTimeAndGoalOfEachExercise(Language language) {
+        Path worksheet = Path.of(
+                "../../docs/exercises", language.worksheet(Exercises.all().get(0)));
+        String rows = Exercises.all().stream()
+                .map(exercise -> String.format(
+                        "| %d | [%s](%s.md) | %d | %s |\n",
+                        exercise.number(),
+                        Worksheet.of(exercise, language).title(),
+                        exercise.fullName(),
+                        exercise.minutes(),
+                        language.translated(exercise.goal())))
+                .collect(Collectors.joining());
+
+        assertThat(worksheet.resolveSibling("README.md")).content().contains(rows);
     }
 
     @Test

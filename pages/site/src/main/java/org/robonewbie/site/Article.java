@@ -50,7 +50,7 @@ final class Article {
     record Section(int level, String anchor, String title, String text) {}
 
     static Article read(Path source, String address) throws IOException {
-        Node document = PARSER.parse(Files.readString(source));
+        Node document = PARSER.parse(WorksheetTemplate.fill(source, Files.readString(source)));
         return new Article(source, address, document, sections(document));
     }
 

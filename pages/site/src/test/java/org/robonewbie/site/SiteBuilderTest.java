@@ -153,6 +153,20 @@ class SiteBuilderTest {
     }
 
     @Test
+    void worksheetHasGoalCommandsAndTimesOfItsExercise() throws IOException {
+        build(projectRoot());
+
+        assertThat(read("exercises/12-kick.html"))
+                .contains("<strong>Goal</strong>: Kick the ball 2 m or more")
+                .contains("<h2 id=\"begin\">", "./robonewbie grade kick --start", "120 minutes", "12 seconds")
+                .contains("<a href=\"de/12-kick.html\">");
+        assertThat(read("exercises/de/12-kick.html"))
+                .contains("<strong>Ziel</strong>: Schieße den Ball")
+                .contains("<h2 id=\"beginnen\">", "kick Kick.java --language de", "120 Minuten", "12 Sekunden")
+                .contains("<a href=\"../12-kick.html\">");
+    }
+
+    @Test
     void pagesLoadNothingFromOutsideAndHaveNoScriptInside() throws IOException {
         build(projectRoot());
 

@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
@@ -61,20 +62,16 @@ class JavaScriptTest {
         run(folder, nodeTool("typescript/bin/tsc", "--project", "jsconfig.json"));
     }
 
+    @Tag("slow")
     @Test
     void scriptsPassTheLinter(@TempDir Path folder) throws Exception {
         run(folder, nodeTool("eslint/bin/eslint.js", "--max-warnings", "0", "."));
     }
 
+    @Tag("slow")
     @Test
     void scriptsPagesAndStyleSheetsAreFormatted(@TempDir Path folder) throws Exception {
         run(folder, nodeTool("prettier/bin/prettier.cjs", "--check", "."));
-    }
-
-    @Test
-    void functionsAreShort(@TempDir Path folder) throws Exception {
-        NodeTool.require("typescript/bin/tsc");
-        run(folder, List.of(Tool.NODE.orSkip().toString(), "src/test/tools/function-lengths.js"));
     }
 
     /** The command line of a tool that {@code npm install} installs; skips the test if it is missing. */

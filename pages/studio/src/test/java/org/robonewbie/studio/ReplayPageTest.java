@@ -118,6 +118,7 @@ class ReplayPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void draggingTheTimeLineMovesRobotsAndScore() {
         visit();
@@ -290,6 +291,7 @@ class ReplayPageTest {
                 .isTrue();
     }
 
+    @Tag("slow")
     @Test
     void recordingsAreCardsThatAreSearchedAndChosen() throws IOException {
         Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));

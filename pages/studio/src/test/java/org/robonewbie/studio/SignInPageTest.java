@@ -61,6 +61,7 @@ class SignInPageTest {
         browser.await("studio.state.connection === 'live'");
     }
 
+    @Tag("slow")
     @Test
     void pageFileThatOpenersNameLetsTheBrowserIn(@TempDir Path home) throws IOException {
         String usersHome = System.setProperty("user.home", home.toString());

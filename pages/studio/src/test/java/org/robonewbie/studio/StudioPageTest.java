@@ -130,6 +130,7 @@ class StudioPageTest {
         await(() -> simulation.latest().speed() == 1);
     }
 
+    @Tag("slow")
     @Test
     void speedIsChosenFromTheList() {
         openStudioWithRobot();
@@ -139,6 +140,7 @@ class StudioPageTest {
         await(() -> simulation.latest().speed() == SimulationControl.AS_FAST_AS_POSSIBLE);
     }
 
+    @Tag("slow")
     @Test
     void resetBringsTheBallBack() {
         openStudioWithRobot();
@@ -150,6 +152,7 @@ class StudioPageTest {
         await(() -> simulation.latest().ballPosition().length() < 0.1);
     }
 
+    @Tag("slow")
     @Test
     void refereeIsControlledByButtonAndList() {
         openStudioWithRobot();

@@ -39,12 +39,17 @@ final class LocalProgram implements HostProgram {
 
     @Override
     public synchronized void end() {
-        if (!isEnded) {
-            isEnded = true;
-            Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
-            robots.forEach(AgentLink::close);
-            console.say("The studio has taken over. Press Control-C to stop.");
+        if (isEnded) {
+            return;
         }
+        try {
+            Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
+        } catch (IllegalStateException shuttingDown) {
+            return; // the program ends with its process
+        }
+        isEnded = true;
+        robots.forEach(AgentLink::close);
+        console.say("The studio has taken over. Press Control-C to stop.");
     }
 
     /** Waits until the simulation ends if a view has ended this program. */

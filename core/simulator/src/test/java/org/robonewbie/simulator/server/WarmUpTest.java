@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -19,6 +20,7 @@ class WarmUpTest {
         assertThat(questions.get()).isBetween(3, 5);
     }
 
+    @Tag("slow")
     @Test
     void endsByItself() throws IOException {
         AtomicInteger questions = new AtomicInteger();

@@ -2,6 +2,8 @@ package org.robonewbie.exercises.marking;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Base64;
@@ -44,8 +46,11 @@ final class HandInFile {
             String source = name + ", line " + (i + 1);
             for (Matcher link = LINK.matcher(lines.get(i)); link.find(); found = true) {
                 try {
-                    add(source, Base64.getUrlDecoder().decode(link.group(1)), target);
-                } catch (IllegalArgumentException noBase64) {
+                    add(
+                            source,
+                            Base64.getUrlDecoder().decode(URLDecoder.decode(link.group(1), StandardCharsets.UTF_8)),
+                            target);
+                } catch (IllegalArgumentException damaged) {
                     target.refuse(source, HandIn.DAMAGED);
                 }
             }
@@ -59,7 +64,12 @@ final class HandInFile {
             if (bytes.length > HandIn.MAX_BYTES) {
                 target.refuse(source, "It is larger than " + HandIn.MAX_BYTES / 1_000_000 + " MB unpacked.");
             } else {
-                target.add(source, new String(bytes, StandardCharsets.UTF_8));
+                target.add(
+                        source,
+                        StandardCharsets.UTF_8
+                                .newDecoder()
+                                .decode(ByteBuffer.wrap(bytes))
+                                .toString());
             }
         } catch (IOException damaged) {
             target.refuse(source, HandIn.DAMAGED);

@@ -66,7 +66,7 @@ class HelpTest {
                   [b](c.md).
                 - **Slow** down.
 
-                ## What is judged
+                ## A program
 
                 - nothing
                 """);

@@ -3,26 +3,24 @@
 /** @typedef {{exercises: string[], seeds: number}} Assignment names of exercises, and number of trials */
 
 const MARK = '#exercises?class=';
-const NAME = /^[a-z0-9-]{1,40}$/;
-const MAX_EXERCISES = 100;
-const MAX_SEEDS = 20;
+const LINK = /^#exercises\?class=([a-z0-9-]+(?:,[a-z0-9-]+)*)&seeds=([1-9]|1\d|20)$/;
+const DAMAGED = 'The link of your class is incomplete or damaged. Copy the whole link that your teacher has sent.';
 
 /** @param {Assignment} assignment @returns {string} fragment of the link */
 export const classHash = ({ exercises, seeds }) => `${MARK}${exercises.join(',')}&seeds=${seeds}`;
 
+/** @param {string} hash fragment of an address @returns {boolean} whether it is, or was, the link of a class */
+export const isClassLink = (hash) => hash.startsWith(MARK);
+
 /**
- * @param {string} hash fragment of an address
- * @returns {Assignment | undefined} undefined if it is not such a link
+ * @param {string} hash fragment of the link of a class; mail programs may have encoded its commas
+ * @returns {Assignment}
+ * @throws {Error} if the link is not whole; the message is meant for the user
  */
 export function assignmentOf(hash) {
-  if (!hash.startsWith(MARK)) {
-    return undefined;
+  const [, exercises, seeds] = LINK.exec(hash.replaceAll(/%2c/gi, ',')) ?? [];
+  if (exercises === undefined) {
+    throw new Error(DAMAGED);
   }
-  const parameters = new URLSearchParams(hash.slice(hash.indexOf('?')));
-  const exercises = (parameters.get('class') ?? '').split(',').filter((name) => NAME.test(name));
-  const seeds = Math.trunc(Number(parameters.get('seeds')));
-  return {
-    exercises: [...new Set(exercises)].slice(0, MAX_EXERCISES),
-    seeds: seeds >= 1 && seeds <= MAX_SEEDS ? seeds : 3,
-  };
+  return { exercises: [...new Set(exercises.split(','))], seeds: Number(seeds) };
 }
