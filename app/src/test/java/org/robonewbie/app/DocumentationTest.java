@@ -26,6 +26,11 @@ class DocumentationTest {
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(#[^)]*)?\\)");
     private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
     private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
+    private static final Pattern TEST_NAME = Pattern.compile("(?:`|-Dtest=)([A-Z]\\w*Test)\\b");
+
+    private static final List<String> TESTS = Project.sources("Test.java").stream()
+            .map(file -> file.getFileName().toString().replace(".java", ""))
+            .toList();
     private static final int MAX_LINES_OF_FIRST_PROGRAM = 12;
 
     static Stream<Path> pages() {
@@ -45,14 +50,22 @@ class DocumentationTest {
     }
 
     @ParameterizedTest
+    @MethodSource("pages")
+    void namedTestsExist(Path page) {
+        assertThat(TEST_NAME.matcher(Project.read(page)).results().map(match -> match.group(1)))
+                .as(page.toString())
+                .isSubsetOf(TESTS);
+    }
+
+    @ParameterizedTest
     @MethodSource("slides")
     void slidesHavePicturesAndCommandsThatExist(Path slides) {
         assertThat(targets(REFERENCE, slides)).allMatch(Files::exists);
         SLIDE_CODE
                 .matcher(Project.read(slides))
                 .results()
-                .map(code -> code.group(1).replaceAll("\\\\\\R *", ""))
-                .flatMap(code -> Command.of(code).stream())
+                .flatMap(code -> code.group(1).replaceAll("\\\\\\R *", "").lines())
+                .flatMap(line -> Command.of(line).stream())
                 .forEach(Command::assertValid);
     }
 
@@ -108,18 +121,6 @@ class DocumentationTest {
                                 joint.effectorName(),
                                 joint.minDegrees(),
                                 joint.maxDegrees())));
-    }
-
-    @Test
-    void everyDecisionIsListed() throws IOException {
-        Path decisions = Project.ROOT.resolve("docs/decisions");
-        String list = Project.read(decisions.resolve("README.md"));
-
-        try (Stream<Path> files = Files.list(decisions)) {
-            assertThat(files)
-                    .allMatch(file -> file.endsWith("README.md")
-                            || list.contains(file.getFileName().toString()));
-        }
     }
 
     @Test

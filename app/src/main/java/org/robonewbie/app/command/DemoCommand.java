@@ -11,7 +11,7 @@ import picocli.CommandLine.Unmatched;
 /** {@code robonewbie demo}: runs the simulator, the studio and the example {@code Agent_SimpleSoccer} in one process. */
 @Command(
         name = DemoCommand.NAME,
-        description = "Watch a robot walk to the ball and kick it, in the browser. This is the default command.",
+        description = "Watch a robot find the ball and push it, in the browser. This is the default command.",
         customSynopsis = "robonewbie demo [OPTIONS]",
         footer = {
             "",

@@ -18,6 +18,7 @@ import org.robonewbie.programs.CalledWronglyException;
 public final class EvaluationSummary {
 
     private static final List<String> EXPERIENCES = List.of("robotics", "java");
+    private static final String PROPORTION = "proportion";
     private static final String SEPARATOR = "[,;\t]";
 
     private final List<String> questions;
@@ -88,6 +89,11 @@ public final class EvaluationSummary {
                 table.append("There is no column \"" + experience + "\", so the answers are not grouped by it.")
                         .append(System.lineSeparator());
             }
+        }
+        if (questions.contains(PROPORTION)) {
+            table.append(PROPORTION
+                            + ": 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise")
+                    .append(System.lineSeparator());
         }
         return table.toString();
     }

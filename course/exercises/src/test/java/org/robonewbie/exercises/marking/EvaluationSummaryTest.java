@@ -62,6 +62,14 @@ class EvaluationSummaryTest {
     }
 
     @Test
+    void directionOfTheProportionIsExplained() {
+        assertThat(EvaluationSummary.of(List.of("proportion", "4", "5")).toString())
+                .contains(
+                        "4.50",
+                        "proportion: 1 = much more lecture, 3 = the proportion of the course, 5 = much more exercise");
+    }
+
+    @Test
     void headThatIsNotClearIsRefused() {
         assertThatThrownBy(() -> EvaluationSummary.of(List.of("robotics\u00A0,java", "1,3")))
                 .hasMessageStartingWith("Line 1: in ")
