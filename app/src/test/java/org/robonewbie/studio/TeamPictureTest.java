@@ -47,7 +47,6 @@ import org.robonewbie.trial.TrialListener;
  * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball begins to roll to its receiver.
  */
 @Tag("slow")
-@Tag("picture")
 @InBrowser(width = 960, height = 640)
 class TeamPictureTest {
 

@@ -14,7 +14,7 @@ import org.robonewbie.app.Project;
  *
  * <pre>
  * &lt;!-- test: --seconds 2 --&gt;              runs the commands with this option instead of their own
- * &lt;!-- test: file push.plan --&gt;            writes the block into a file for the commands that follow
+ * &lt;!-- test: file answers.csv --&gt;          writes the block into a file for the commands that follow
  * &lt;!-- test: skip, takes an hour --&gt;       does not run it
  * </pre>
  *

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -25,7 +24,7 @@ import picocli.CommandLine;
 public record Command(List<String> words) {
 
     private static final Pattern LINE = Pattern.compile("(?:\\./)?robonewbie(?: +([^#\\s].*?))?(?: +#.*)?");
-    private static final Pattern WORD = Pattern.compile("\"([^\"]*)\"|(\\S+)");
+    private static final Pattern WORD = Pattern.compile("\"[^\"]*\"|'[^']*'|\\S+");
     private static final String SHORT_RUN = "--headless --fast --seed 1 --seconds 2";
 
     /** Options for commands that open a browser, or run until they are stopped. */
@@ -54,11 +53,10 @@ public record Command(List<String> words) {
     }
 
     private static List<String> words(String text) {
-        return WORD.matcher(text).results().map(Command::unquoted).toList();
-    }
-
-    private static String unquoted(MatchResult word) {
-        return Optional.ofNullable(word.group(1)).orElse(word.group());
+        return WORD.matcher(text)
+                .results()
+                .map(word -> word.group().replaceAll("^([\"'])(.*)\\1$", "$2"))
+                .toList();
     }
 
     /** {@return the first word, such as {@code run}} */
