@@ -21,7 +21,7 @@ final class Palette {
 
     private static final int SIZE = 256;
     private static final List<IntUnaryOperator> CHANNELS =
-            List.of(colour -> colour >> 16 & 0xff, colour -> colour >> 8 & 0xff, colour -> colour & 0xff);
+            List.of(colour -> (colour >> 16) & 0xff, colour -> (colour >> 8) & 0xff, colour -> colour & 0xff);
 
     private final BufferedImage image;
     private final List<Box> boxes = new ArrayList<>();
@@ -118,7 +118,7 @@ final class Palette {
                                     .mapToLong(colour -> each.applyAsInt(colour.getKey()) * colour.getValue())
                                     .sum()
                             / pixels()))
-                    .reduce(0, (colour, value) -> colour << 8 | value);
+                    .reduce(0, (colour, value) -> (colour << 8) | value);
         }
     }
 }
