@@ -9,7 +9,6 @@ import json
 import os
 import statistics
 import subprocess
-import tempfile
 from pathlib import Path
 
 import gymnasium
@@ -101,15 +100,7 @@ def trial():
     return json.loads(java("run", str(HERE / "TrialSpeed.java")))
 
 
-def servers(seconds):
-    """Whole servers."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "runs.json")
-        java("bench", "speed", "--robots", "1,22", "--scene", "walking,heap", "--seconds", str(seconds), "--json", str(file))
-        return {(run["robots"], run["scene"]): run for run in json.loads(file.read_text(encoding="utf-8"))["runs"]}
-
-
-def measure(seconds):
+def measure():
     """One round of all rows: name and figure."""
     yield "MuJoCo's mj_step, Humanoid, RK4 of 3 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_RK4, 0.003)
     yield "the same, Euler of 5 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_EULER, 0.005)
@@ -119,22 +110,16 @@ def measure(seconds):
     yield "through Python: 64 robots on their feet, moving", robots("Walk", 0.05)
     yield "through Python: 64 robots, random actions with falls", robots("Walk", 1)
     yield "reset to a settled start", alone["reset"]
-    runs = servers(seconds)
-    yield "whole server, 1 walking robot", 1000 * runs[1, "walking"]["cpuMillisPerCycle"]
-    yield "whole server, 22 walking", 1000 * runs[22, "walking"]["cpuMillisPerCycle"]
-    yield "whole server, 22 in a heap", 1000 * runs[22, "heap"]["cpuMillisPerCycle"]
-    yield "allocated by the server per walking robot, bytes", runs[22, "walking"]["allocatedBytesPerCycle"] / 22
 
 
 def main(words=None):
     """Measures, and prints the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=3, help="how often all is measured (3)")
-    parser.add_argument("--seconds", type=float, default=20, help="simulated seconds of each whole server (20)")
     wanted = parser.parse_args(words)
     rows = {}
     for _ in range(wanted.rounds):
-        for name, figure in measure(wanted.seconds):
+        for name, figure in measure():
             rows.setdefault(name, []).append(figure)
     print("| per 20 ms, processor time | µs, median | of the rounds |\n|---|---|---|")
     for name, figures in rows.items():

@@ -44,7 +44,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball begins to roll to its receiver.
+ * Takes the picture of a pass in {@code docs/team/knowing.md}, from a real match that stops when the ball begins to roll to its receiver.
  */
 @Tag("slow")
 @InBrowser(width = 960, height = 640)

@@ -2,8 +2,12 @@ package org.robonewbie.workshop;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.workshop.load.ExampleLoad;
+import org.robonewbie.workshop.motion.CheckResult;
 import org.robonewbie.workshop.motion.MotionMeasurement;
 import org.robonewbie.workshop.team.AgentMeasurement;
 import org.robonewbie.workshop.team.PlayerChecks;
@@ -27,6 +31,7 @@ import picocli.CommandLine.ScopeType;
             "",
             "Examples:",
             "  bench motions --seeds 3     try each shipped motion three times",
+            "  bench examples              how long does each example think?",
             "  bench server --fast         play with 22 robots over TCP",
             "  bench speed --robots 1,22   how fast is a step?",
             "  bench fidelity              how close is it to the real rcssserver3d?",
@@ -55,6 +60,14 @@ public final class Bench {
             throw new IllegalArgumentException(option + " must be " + range + ", not " + value + ".");
         }
         return value;
+    }
+
+    /** Throws if a number of simulated seconds is not above 0. */
+    static void checkSeconds(String option, double value) {
+        if (!(value > 0 && value <= 1e6)) {
+            throw new IllegalArgumentException(
+                    option + " " + value + " is not valid. Use a number of simulated seconds above 0, such as 20.");
+        }
     }
 
     /**
@@ -122,12 +135,17 @@ public final class Bench {
                                     "Robot type; types 1 to 4 walk only in the full simulator (default: ${DEFAULT-VALUE}).")
                     int type,
             @Option(names = "--json", paramLabel = "FILE", description = "Also write the results as JSON.")
-                    Optional<Path> json)
+                    Optional<Path> json,
+            @Option(names = "--table", paramLabel = "FILE", description = "Also write the results as a Markdown table.")
+                    Optional<Path> table)
             throws IOException {
         RobotType built = RobotType.values()[checked("--type", type, 0, MAX_TYPE)];
-        new MotionMeasurement(trials.seeds(), trials.firstSeed, part, built, System.out)
+        List<CheckResult> results = new MotionMeasurement(trials.seeds(), trials.firstSeed, part, built, System.out)
                 .with(PlayerChecks.all(built))
                 .run(json);
+        if (table.isPresent()) {
+            AtomicFile.write(table.get(), CheckResult.table(results));
+        }
     }
 
     @Command(
@@ -145,6 +163,41 @@ public final class Bench {
                     Optional<Path> json)
             throws IOException {
         new AgentMeasurement(trials.seeds(), trials.firstSeed, System.out).run(part, json);
+    }
+
+    @Command(
+            description = "Measure the think time of each example in real time, and the cycles that it misses.",
+            footer = {
+                "",
+                "Examples:",
+                "  bench examples                     9 minutes: the table in docs/performance.md",
+                "  bench examples --only Soccer --seconds 5",
+                "",
+                "Agent_KeyframeDeveloper writes the file motions/my-motion.txt into the working directory."
+            })
+    void examples(
+            @Option(
+                            names = "--only",
+                            paramLabel = "PART",
+                            defaultValue = "",
+                            description = "Measure only examples whose name contains this text, such as Soccer.")
+                    String part,
+            @Option(
+                            names = "--warm-up",
+                            paramLabel = "T",
+                            defaultValue = "5",
+                            description = "Simulated seconds before each measurement (default: ${DEFAULT-VALUE}).")
+                    double warmUpSeconds,
+            @Option(
+                            names = "--seconds",
+                            paramLabel = "T",
+                            defaultValue = "20",
+                            description = "Measured seconds of each example (default: ${DEFAULT-VALUE}).")
+                    double seconds)
+            throws IOException {
+        checkSeconds("--warm-up", warmUpSeconds);
+        checkSeconds("--seconds", seconds);
+        new ExampleLoad(warmUpSeconds, seconds).run(part, System.out);
     }
 
     @Command(

@@ -138,9 +138,9 @@ final class SpeedCommand implements Callable<Integer> {
 
     private BenchmarkPlan plan() {
         robots.forEach(number -> Bench.checked("--robots", number, 1, Bench.MAX_ROBOTS));
-        checkSeconds("--seconds", seconds);
-        checkSeconds("--warm-up", warmUpSeconds);
-        heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
+        Bench.checkSeconds("--seconds", seconds);
+        Bench.checkSeconds("--warm-up", warmUpSeconds);
+        heapEvery.ifPresent(distance -> Bench.checkSeconds("--heap-every", distance));
         Bench.checked("--threads", threads, 1, MAX_THREADS);
         Bench.checked("--port", port, 1, MAX_PORT);
         Bench.checked("--monitor-port", monitorPort, 1, MAX_PORT);
@@ -151,13 +151,6 @@ final class SpeedCommand implements Callable<Integer> {
     private ServerAddress address(String name) {
         return new ServerAddress(
                 name, port, monitorPort, processId.map(OptionalLong::of).orElse(OptionalLong.empty()));
-    }
-
-    private static void checkSeconds(String option, double value) {
-        if (!(value > 0 && value <= 1e6)) {
-            throw new IllegalArgumentException(
-                    option + " " + value + " is not valid. Use a number of simulated seconds above 0, such as 20.");
-        }
     }
 
     /** Rejects an unwritable folder before the measurement, not after it. */

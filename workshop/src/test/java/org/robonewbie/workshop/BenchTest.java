@@ -31,7 +31,15 @@ class BenchTest {
     void helpListsAllSubjects() {
         assertThat(bench("--help")).isZero();
         assertThat(out.toString())
-                .contains("  motions", "  agents", "  team", "  server", "  speed", "  fidelity", "  record");
+                .contains(
+                        "  motions",
+                        "  agents",
+                        "  examples",
+                        "  team",
+                        "  server",
+                        "  speed",
+                        "  fidelity",
+                        "  record");
     }
 
     @Test
@@ -47,6 +55,8 @@ class BenchTest {
             value = {
                 "agents --seeds 0 | --seeds must be at least 1, not 0.",
                 "motions --type 5 | --type must be from 0 to 4, not 5.",
+                "examples --seconds 0 | --seconds 0.0 is not valid. Use a number of simulated seconds above 0, such as 20.",
+                "examples --only Nobody | No example's name contains \"Nobody\".",
                 "team --players 12 | --players must be from 1 to 11, not 12.",
                 "team --against Agent_Nobody | --against must be Agent_BetterSoccer or Agent_Team, not Agent_Nobody.",
                 "server --robots 1 | --robots must be from 2 to 22, not 1.",

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Heading;
+import org.commonmark.node.HtmlBlock;
 import org.commonmark.node.Node;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
@@ -45,7 +46,7 @@ final class Article {
      * @param level level of the heading, 1 for the title
      * @param anchor its anchor
      * @param title text of the heading
-     * @param text plain text up to the next heading
+     * @param text plain text up to the next heading, without comments
      */
     record Section(int level, String anchor, String title, String text) {}
 
@@ -121,7 +122,9 @@ final class Article {
     private static String textBelow(Heading heading) {
         StringBuilder text = new StringBuilder();
         for (Node node = heading.getNext(); node != null && !(node instanceof Heading); node = node.getNext()) {
-            text.append(text(node)).append(' ');
+            if (!(node instanceof HtmlBlock)) {
+                text.append(text(node)).append(' ');
+            }
         }
         return text.toString().replaceAll("\\s+", " ").trim();
     }

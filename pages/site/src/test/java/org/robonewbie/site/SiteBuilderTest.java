@@ -66,6 +66,16 @@ class SiteBuilderTest {
     }
 
     @Test
+    void searchIndexHasNoCommentsOfWriters() throws IOException {
+        page("docs/rules.md", "# Rules\n\n<!-- generated: rules -->\n\n| red |\n|---|\n| goals |\n\n<!-- end -->\n");
+
+        build(project);
+
+        assertThat(read("rules.html")).contains("<th>red</th>");
+        assertThat(read("search-index.js")).contains("goals").doesNotContain("generated");
+    }
+
+    @Test
     void linkToSourceFileShowsIt() throws IOException {
         build(project);
 

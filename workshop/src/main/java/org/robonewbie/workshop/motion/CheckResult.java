@@ -2,6 +2,8 @@ package org.robonewbie.workshop.motion;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 
 /**
@@ -46,5 +48,38 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
                 .mapToDouble(Outcome::value)
                 .average()
                 .orElse(0);
+    }
+
+    /**
+     * Formats results as a Markdown table.
+     *
+     * @param results the results
+     * @return the table, ending with a line break
+     */
+    public static String table(List<CheckResult> results) {
+        return results.stream()
+                .map(CheckResult::toRow)
+                .collect(Collectors.joining("", "| motion | success is | trials | mean |\n|---|---|---|---|\n", ""));
+    }
+
+    /**
+     * Returns the cells that do not depend on a measurement.
+     *
+     * @param check the check
+     * @return the first cells of its row in the {@linkplain #table table}
+     */
+    public static String startOfRow(MotionCheck check) {
+        return "| " + check.name() + " | " + check.rule() + " | ";
+    }
+
+    private String toRow() {
+        return String.format(
+                Locale.ROOT,
+                "%s%d of %d | %.3f %s |\n",
+                startOfRow(check),
+                successes(),
+                outcomes.size(),
+                mean(),
+                check.unit());
     }
 }

@@ -6,8 +6,10 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
@@ -32,7 +34,9 @@ import org.robonewbie.trial.measure.TimeToScore;
 /** Plays many games with each example agent, each game with its own seed, and reports how many games succeed. */
 public final class AgentMeasurement {
 
-    private static final String LINE = "%-24s %6s %9s %8s  %s";
+    private static final String TITLE = """
+            | agent | successes | median | success |
+            |---|---|---|---|""";
     private static final double NEAR_METRES = 0.6;
     private static final double NEAR_SECONDS = 4;
 
@@ -87,7 +91,8 @@ public final class AgentMeasurement {
         @Override
         public String toString() {
             String median = Double.isFinite(median()) ? String.format(Locale.ROOT, "%.1f s", median()) : "-";
-            return String.format(Locale.ROOT, LINE, task.name, trials, seconds.size(), median, task.rule);
+            return String.format(
+                    Locale.ROOT, "| `%s` | %d of %d | %s | %s |", task.name, seconds.size(), trials, median, task.rule);
         }
     }
 
@@ -105,7 +110,7 @@ public final class AgentMeasurement {
     }
 
     /**
-     * Plays all games and prints the table.
+     * Plays all games and prints a Markdown table.
      *
      * @param part substring that the names of the playing agents contain
      * @param json file for the results; empty for none
@@ -126,9 +131,16 @@ public final class AgentMeasurement {
 
     private List<Result> measure(List<Task> tasks) {
         List<Result> results = tasks.stream().map(this::measure).toList();
-        out.println(String.format(Locale.ROOT, LINE, "agent", "trials", "successes", "median", "success"));
+        out.println(TITLE);
         results.forEach(out::println);
         return results;
+    }
+
+    /** {@return what each measured agent has to do, by the name of the agent, in the order of the table} */
+    public static Map<String, String> rules() {
+        Map<String, String> rules = new LinkedHashMap<>();
+        tasks().forEach(task -> rules.put(task.name, task.rule));
+        return rules;
     }
 
     private static List<Task> tasks() {

@@ -3,7 +3,9 @@ package org.robonewbie.workshop.fidelity;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
@@ -11,6 +13,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The bars for every recording of a real rcssserver3d that comes with the project. */
 class ShippedRecordingsTest {
@@ -75,6 +79,27 @@ class ShippedRecordingsTest {
         assertThat(results.values())
                 .allSatisfy(
                         result -> assertThat(result.firstDivergenceSeconds()).isEmpty());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"b_", "c_", "d_", "h_[ms]", "h_reach_2[13]", "h_reach_22"})
+    void pageHasTheLargestDifferencesOfTheGroup(String names) {
+        String row = String.format(
+                Locale.ROOT,
+                "| %.4f° | %.4f mm | %.4f° |",
+                largest(names, RecordingFidelity::jointMaxDegrees),
+                1000 * largest(names, RecordingFidelity::torsoMaxMetres),
+                largest(names, RecordingFidelity::torsoMaxDegrees));
+
+        assertThat(Path.of("..", "docs", "simspark-differences.md")).content().contains(row);
+    }
+
+    private static double largest(String names, Function<RecordingFidelity, OptionalDouble> figure) {
+        return results.values().stream()
+                .filter(result -> result.name().matches(names + ".*"))
+                .mapToDouble(result -> figure.apply(result).orElseThrow())
+                .max()
+                .orElseThrow();
     }
 
     private static RecordingFidelity result(String name) {

@@ -23,7 +23,7 @@ class AgentMeasurementTest {
         measurement.run("WalkToBall", Optional.empty());
 
         assertThat(printed.toString(StandardCharsets.UTF_8))
-                .containsPattern("Agent_SimpleWalkToBall +1 +1 +[0-9.]+ s")
-                .containsPattern("Agent_BetterSoccer +1 +1 +[0-9.]+ s");
+                .containsPattern("`Agent_SimpleWalkToBall` \\| 1 of 1 \\| [0-9.]+ s")
+                .containsPattern("`Agent_BetterSoccer` \\| 1 of 1 \\| [0-9.]+ s");
     }
 }

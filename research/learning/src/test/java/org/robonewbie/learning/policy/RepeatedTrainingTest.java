@@ -15,7 +15,7 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.learning.environment.EnvironmentSpec;
 
-/** Repeats the first generation of each training of docs/policies.md, which gives the same line of the learning curve as then. */
+/** Repeats the first generation of the trainings of the shipped policies, which gives the same line of the learning curve as then. */
 class RepeatedTrainingTest {
 
     @TempDir
