@@ -94,7 +94,7 @@ final class Palette {
         }
 
         double error() {
-            return side * Math.cbrt(pixels());
+            return side * Math.cbrt((double) pixels());
         }
 
         List<Box> halves() {
