@@ -1,0 +1,2 @@
+/** The programs and commands on the pages of the documentation run. */
+package org.robonewbie.app.page;
