@@ -83,6 +83,7 @@ class TextReadersTest {
             Map.entry("app/doctor/PortCheck", WIRE),
             Map.entry("app/doctor/ProjectCheck", "the output of Maven, in the encoding of the system"),
             Map.entry("programs/ApiComments", RESOURCE),
+            Map.entry("programs/ExampleSources", RESOURCE),
             Map.entry("programs/process/ParentProcess", WIRE),
             Map.entry("programs/process/ProgramOutput", "the output of a process, in the encoding of the system"),
             Map.entry("programs/project/ExampleTeam", RESOURCE),
