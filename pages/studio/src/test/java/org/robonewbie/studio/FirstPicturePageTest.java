@@ -121,6 +121,19 @@ class FirstPicturePageTest {
     }
 
     @Test
+    void noOtherGroundLiesBelowTheGrass() {
+        openWithRobot(-4.9, 0, 0);
+
+        double grounds = number("""
+                import('three').then(({ Raycaster, Vector3 }) =>
+                  new Raycaster(new Vector3(1, 2, 1), new Vector3(0, 0, -1))
+                    .intersectObject(studio.view.pitch)
+                    .filter(({ object }) => object.geometry.attributes.color).length)""");
+
+        assertThat(grounds).isEqualTo(1);
+    }
+
+    @Test
     void goalFadesOutWhileTheUserTurnsTheViewBehindIt() {
         openWithRobot(-4.9, 0, 0);
         browser.await("studio.view.goals.goals[0].opacity === 1");
