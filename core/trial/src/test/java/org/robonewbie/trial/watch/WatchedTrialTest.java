@@ -53,6 +53,17 @@ class WatchedTrialTest {
     }
 
     @Test
+    void robotIsFirstSeenAtItsStart() {
+        watched.addObserver(seen::add);
+
+        try (Trial trial = trial()) {
+            WorldSnapshot first = seen.get(0);
+            assertThat(first.teamLeft()).isEqualTo(RobotStart.TEAM);
+            assertThat(first.robots().get(0).body().position().z()).isLessThan(0.5);
+        }
+    }
+
+    @Test
     void pausedTrialWaitsForStepsAndForResume() throws Exception {
         CountDownLatch held = new CountDownLatch(1);
         try (Trial trial = trial()) {

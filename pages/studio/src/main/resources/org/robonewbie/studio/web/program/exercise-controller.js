@@ -1,6 +1,6 @@
 /** Exercises in the program room: the task above the program, and the Check button, which runs the judge on the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
-import { checkText, hints, progressText, trialText } from '../state/course.js';
+import { checkText, hints, progressText, startingText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
 import { note } from './note.js';
 
@@ -118,6 +118,7 @@ export class ExerciseController {
     this.#isShown = attempt.state !== 'NONE';
     this.verdict.hidden = this.room.firstMinute.receive(attempt) || !this.#isShown;
     this.status = checkText(attempt);
+    this.room.surroundings.announce(startingText(attempt));
     this.#speedUp(attempt);
     this.room.runs.draw();
     setText(this.progress, progressText(attempt));
