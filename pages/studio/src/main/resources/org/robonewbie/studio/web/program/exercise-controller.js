@@ -130,11 +130,15 @@ export class ExerciseController {
       this.room.said.showOutput(attempt.output);
     }
   }
-  /** Runs the trials after the first one as fast as possible. @param {Attempt} attempt */
+
+  /** Runs the trials after the first one as fast as possible, and returns to real time after the last one. @param {Attempt} attempt */
   #speedUp({ state, judged }) {
     const isFast = judged.length > 0 && (state === 'WAITING' || state === 'RUNNING');
     if (isFast && !this.#isFast) {
       this.room.surroundings.send({ do: 'speed', factor: 'fastest' });
+    }
+    if (this.#isFast && state === 'OVER') {
+      this.room.surroundings.send({ do: 'speed', factor: 1 });
     }
     this.#isFast = isFast;
   }
