@@ -5,6 +5,7 @@ import {
   checkText,
   hints,
   progressText,
+  startingText,
   trialText,
   likelyProgram,
 } from '../../main/resources/org/robonewbie/studio/web/state/course.js';
@@ -46,6 +47,12 @@ test('progress names the running trial and the results of all', () => {
     'Passed: 10.0 of 10 points',
   );
   assert.equal(progressText({ ...attempt, state: 'NONE' }), '');
+});
+
+test('a trial starts until its program has come', () => {
+  assert.equal(startingText({ ...attempt, state: 'WAITING' }), 'Starting trial 2…');
+  assert.equal(startingText({ ...attempt, state: 'WAITING', program: '' }), '');
+  assert.equal(startingText(attempt), '');
 });
 
 test('the state of a check names the program', () => {

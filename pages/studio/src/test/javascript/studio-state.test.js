@@ -13,6 +13,7 @@ import {
   withoutConnection,
   withRefusal,
   withScene,
+  withStarting,
 } from '../../main/resources/org/robonewbie/studio/web/state/studio-state.js';
 import { sampleFrame, sampleScene } from './sample-world.js';
 
@@ -51,6 +52,15 @@ test('a world without a port suggests only what is possible there', () => {
   const closed = withScene(live(), { ...sampleScene(), robots: [], agentPort: 0 });
 
   assert.match(message(closed, 0)?.text ?? '', /Choose an agent in the toolbar/);
+});
+
+test('a standing world announces what is about to replace it', () => {
+  const standing = withFrame(live(), sampleFrame(), 1000);
+  const starting = withStarting(standing, 'Starting trial 1…');
+
+  assert.equal(message(starting, 9000)?.title, 'Starting trial 1…');
+  assert.equal(starting.frame, standing.frame);
+  assert.equal(message(withScene(starting, sampleScene()), 9000), undefined);
 });
 
 test('a moving world needs no message', () => {

@@ -21,6 +21,7 @@ import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /**
@@ -119,11 +120,10 @@ final class CourseAttempt implements CourseHost.Attempt {
 
     private Score play(long seed) {
         if (student.isEmpty()) {
-            return Performance.of(exercise, seed, this::nextRobot, Optional.empty(), trial);
+            return Performance.of(exercise, seed, this::nextRobot, Optional.empty(), this::cycleEnded);
         }
         try {
-            begins();
-            return ProcessGrader.trial(exercise, seed, student.get(), Optional.empty(), trial);
+            return ProcessGrader.trial(exercise, seed, student.get(), Optional.empty(), this::cycleEnded);
         } catch (IOException noPort) {
             return Score.failed(0, "The connection to the program cannot be opened (" + noPort.getMessage() + ").", "");
         }
@@ -133,13 +133,17 @@ final class CourseAttempt implements CourseHost.Attempt {
         return arrived(door.orElseThrow().await(() -> !isClosed()));
     }
 
+    private void cycleEnded(Trial running) {
+        begins();
+        trial.cycleEnded(running);
+    }
+
     private synchronized void begins() {
         state = State.RUNNING;
     }
 
     private synchronized Controller arrived(Controller guest) {
         guests.add(guest);
-        state = State.RUNNING;
         return guest;
     }
 

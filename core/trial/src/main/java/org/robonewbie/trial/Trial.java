@@ -148,18 +148,21 @@ public final class Trial implements AutoCloseable {
         }
     }
 
-    /** Creates a robot and moves it to its start pose, where it settles with all joints at 0. */
+    /**
+     * Creates a robot as soon as its controller is ready, and moves it to its start pose, where it settles with all joints at 0.
+     * Until it stands there, the listener is not called.
+     */
     private void enter(RobotStart start, Controller controller) {
+        introduce(start, controller);
         AgentLink link = simulator.connect();
         TrialBody.create(link, start.type());
         for (int i = 0; i < CYCLES_TO_APPEAR; i++) {
-            exchange();
+            advance();
         }
-        TrialBody body = new TrialBody(
-                link, start, simulator.world().robots().get(bodies.size()), introduced(start, controller));
+        TrialBody body = new TrialBody(link, start, simulator.world().robots().get(bodies.size()), controller);
         bodies.add(body);
         body.join();
-        exchange();
+        advance();
         simulator.match().setPlayMode(PlayMode.PLAY_ON);
         move(body, start.place());
         for (int i = 0; i < CYCLES_TO_SETTLE; i++) {
@@ -170,11 +173,10 @@ public final class Trial implements AutoCloseable {
         }
     }
 
-    private Controller introduced(RobotStart start, Controller controller) {
+    private void introduce(RobotStart start, Controller controller) {
         boolean first = start.team().equals(scene.robots().get(0).team());
         controller.embody(start.type());
         controller.introduce(start.team(), start.number(), first ? TeamSide.LEFT : TeamSide.RIGHT);
-        return controller;
     }
 
     /** Plays the prelude of one robot while the others hold still. */
@@ -200,8 +202,13 @@ public final class Trial implements AutoCloseable {
     }
 
     private void exchange() {
+        advance();
+        listener.cycleEnded(this);
+    }
+
+    private void advance() {
         bodies.forEach(TrialBody::idle);
-        cycle();
+        world.cycle(bodies);
     }
 
     private void cycle() {
@@ -252,7 +259,9 @@ public final class Trial implements AutoCloseable {
         cycles = 0;
         for (int i = 0; i < bodies.size(); i++) {
             TrialBody body = bodies.get(i);
-            body.setController(introduced(body.start(), all.next()));
+            Controller controller = all.next();
+            introduce(body.start(), controller);
+            body.setController(controller);
             body.setReadings(firstReadings.get(i));
         }
     }

@@ -8,7 +8,8 @@ public interface TrialListener {
     TrialListener NONE = trial -> {};
 
     /**
-     * Called after each cycle, including those that set up the scene. The next cycle does not start until this method returns.
+     * Called after each cycle, including those in which robots settle at their start poses. The next cycle does not start until
+     * this method returns.
      *
      * @param trial the trial
      */

@@ -15,7 +15,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** The first picture shows a single robot from its front left, large and not hidden by a goal. */
+/** The first picture shows a single robot from its front right, large and not hidden by a goal. */
 @Tag("slow")
 @InBrowser
 class FirstPicturePageTest {
@@ -102,7 +102,7 @@ class FirstPicturePageTest {
         "at the other goal, 1366, 768, 4.9, 0.5, -20",
         "beside a post, 1366, 768, -5.8, -1.4, 60",
     })
-    void singleRobotIsSeenLargeFromItsFrontLeft(
+    void singleRobotIsSeenLargeFromItsFrontRight(
             String where, int width, int height, double x, double y, double headingDegrees) {
         browser.resize(width, height);
 
@@ -115,9 +115,22 @@ class FirstPicturePageTest {
         assertThat(bottom - top).as("height of the robot " + where).isBetween(0.35, 0.65);
         assertThat(number(BEARING + "(" + headingDegrees + ")"))
                 .as("camera " + where)
-                .isBetween(10.0, 60.0);
+                .isBetween(-60.0, -10.0);
         assertThat(number(IN_FRONT)).as("bars in front of the robot " + where).isZero();
         assertThat(browser.complaints()).isEmpty();
+    }
+
+    @Test
+    void noOtherGroundLiesBelowTheGrass() {
+        openWithRobot(-4.9, 0, 0);
+
+        double grounds = number("""
+                import('three').then(({ Raycaster, Vector3 }) =>
+                  new Raycaster(new Vector3(1, 2, 1), new Vector3(0, 0, -1))
+                    .intersectObject(studio.view.pitch)
+                    .filter(({ object }) => object.geometry.attributes.color).length)""");
+
+        assertThat(grounds).isEqualTo(1);
     }
 
     @Test
@@ -152,7 +165,7 @@ class FirstPicturePageTest {
                 new Order.PlaceRobot(new PlayerNumber(TeamSide.LEFT, 1), new Vector3(2, 1, STANDING_HEIGHT), -90));
 
         browser.await("studio.camera.shown.target[0] > 1.9 && studio.camera.isStill");
-        assertThat(number(BEARING + "(-90)")).isBetween(10.0, 60.0);
+        assertThat(number(BEARING + "(-90)")).isBetween(-60.0, -10.0);
         assertThat(number(ENDS + "[1]") - number(ENDS + "[0]")).isBetween(0.35, 0.65);
     }
 }

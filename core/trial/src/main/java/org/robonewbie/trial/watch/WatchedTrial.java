@@ -57,10 +57,12 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
 
     /** Detaches the view, so that the trial runs to its end without waiting. The last snapshot remains visible. */
     public void leave() {
-        change(() -> {
-            over = true;
-            last = last.map(WatchedTrial::stopped);
-        });
+        change(() -> over = true);
+        reportStopped();
+    }
+
+    private void reportStopped() {
+        change(() -> last = last.map(snapshot -> snapshot.withPace(true, speed, snapshot.realTimeFactor())));
         last.ifPresent(snapshot -> observers.forEach(observer -> observer.cycleEnded(snapshot)));
     }
 
@@ -110,10 +112,6 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         }
     }
 
-    private static WorldSnapshot stopped(WorldSnapshot snapshot) {
-        return snapshot.withPace(true, snapshot.speed(), snapshot.realTimeFactor());
-    }
-
     private void change(Runnable action) {
         lock.lock();
         try {
@@ -145,6 +143,9 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
             pauseAfter(step.cycles());
         } else if (order instanceof Order.SetSpeed set) {
             change(() -> speed = Math.max(MIN_SPEED, set.factor()));
+            if (over) {
+                reportStopped();
+            }
         }
     }
 

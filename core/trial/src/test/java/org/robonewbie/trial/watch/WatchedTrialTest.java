@@ -53,6 +53,31 @@ class WatchedTrialTest {
     }
 
     @Test
+    void robotIsFirstSeenAtItsStart() {
+        watched.addObserver(seen::add);
+
+        try (Trial trial = trial()) {
+            WorldSnapshot first = seen.get(0);
+            assertThat(first.teamLeft()).isEqualTo(RobotStart.TEAM);
+            assertThat(first.robots().get(0).body().position().z()).isLessThan(0.5);
+        }
+    }
+
+    @Test
+    void speedOfAStoppedTrialIsSeenToChange() {
+        try (Trial trial = trial()) {
+            trial.step();
+        }
+        watched.leave();
+        watched.addObserver(seen::add);
+
+        watched.order(new Order.SetSpeed(1));
+
+        assertThat(seen).extracting(WorldSnapshot::speed).containsExactly(SimulationControl.AS_FAST_AS_POSSIBLE, 1.0);
+        assertThat(seen).allMatch(WorldSnapshot::paused);
+    }
+
+    @Test
     void pausedTrialWaitsForStepsAndForResume() throws Exception {
         CountDownLatch held = new CountDownLatch(1);
         try (Trial trial = trial()) {

@@ -133,6 +133,8 @@ export class Studio {
 
   touch = () => this.session.touch();
 
+  announce = (/** @type {string} */ starting) => this.session.announce(starting);
+
   goLive = () => this.session.travel((cursor) => cursor.goLive());
 
   /** @param {{do?: string}} command */
@@ -169,6 +171,7 @@ export class Studio {
       robotOfRun: () => this.session.robot(this.camera.chosen),
       send: this.send,
       goLive: this.goLive,
+      announce: this.announce,
       camera: () => this.camera,
       hasClock: () => this.state.scene?.clock !== false,
       robots: () => this.session.shown.scene?.robots ?? [],
@@ -202,7 +205,7 @@ export class Studio {
     this.commentary = new Commentary(this.session, (text) => this.eventList?.show(text));
     this.diagnostics = new DiagnosticsList(this.#lookInside);
     this.puppet = puppet;
-    this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
+    this.course = new CoursePanel(this.note, this.goLive, this.announce, this.field.showGhost);
     const shadows = this.options.get('shadows');
     if (shadows) {
       this.view.setShadows(shadows === 'on');

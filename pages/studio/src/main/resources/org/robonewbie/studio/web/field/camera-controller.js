@@ -13,7 +13,7 @@ import { eye, moved, overview, robotCentre, robotView, turned, zoomed, zoomedTo 
 /** The camera modes in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
 export const CAMERAS = [
   { mode: 'orbit', name: 'Free', hint: 'Drag to turn the view; drag with the right button to move it' },
-  { mode: 'follow', name: 'Follow', hint: 'From the selected robot’s front left, with the robot in the centre' },
+  { mode: 'follow', name: 'Follow', hint: 'From the selected robot’s front right, with the robot in the centre' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
   { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the selected robot’s eyes' },
   { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },

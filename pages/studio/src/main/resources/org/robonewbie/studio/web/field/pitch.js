@@ -15,9 +15,6 @@ const STRIPES = 12;
 const OVER_GRASS = 0.002;
 const BLADES_METRES = 0.9;
 
-/** The surroundings are drawn after the grass that hides them, which saves fill rate. */
-const AFTER_GRASS = 1;
-
 /**
  * @param {Field} field
  * @param {import('./light.js').Palette} colours
@@ -26,17 +23,26 @@ const AFTER_GRASS = 1;
  */
 export function pitch(field, colours, blades) {
   const group = new THREE.Group();
-  group.add(surround(colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet());
+  group.add(surround(field, colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet());
   return group;
 }
 
-/** @param {import('./light.js').Palette} colours */
-function surround(colours) {
-  const plane = new THREE.PlaneGeometry(GROUND_METRES, GROUND_METRES);
-  const floor = new THREE.Mesh(tinted(plane, colours.surround), flatMaterial(colours.plain));
-  floor.position.z = -0.012;
-  floor.renderOrder = AFTER_GRASS;
-  return floor;
+/**
+ * Creates the ground around the grass. Below the grass it would shine through: the depth of such large triangles is inaccurate without a
+ * graphics card.
+ *
+ * @param {Field} field
+ * @param {import('./light.js').Palette} colours
+ */
+function surround(field, colours) {
+  const [far, x, y] = [GROUND_METRES / 2, field.length / 2 + BORDER, field.width / 2 + BORDER];
+  const places = [
+    ...rectangle(-far, -far, far, -y),
+    ...rectangle(-far, y, far, far),
+    ...rectangle(-far, -y, -x, y),
+    ...rectangle(x, -y, far, y),
+  ];
+  return new THREE.Mesh(tinted(flat(places), colours.surround), flatMaterial(colours.plain));
 }
 
 /**

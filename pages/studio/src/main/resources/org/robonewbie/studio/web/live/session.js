@@ -9,6 +9,7 @@ import {
   withoutConnection,
   withRefusal,
   withScene,
+  withStarting,
 } from '../state/studio-state.js';
 import { TimeCursor } from '../state/time-cursor.js';
 import { TrialGhost } from '../state/trial-ghost.js';
@@ -102,6 +103,13 @@ export class Session {
       this.listener.happened(news.text, this.teams);
     } else {
       this.listener.note(news.text);
+    }
+  }
+
+  /** @param {string} starting what is about to replace the scene; empty for nothing */
+  announce(starting) {
+    if (starting !== this.state.starting) {
+      this.#set(withStarting(this.state, starting));
     }
   }
 

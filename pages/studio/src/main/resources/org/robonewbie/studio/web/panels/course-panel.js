@@ -1,6 +1,15 @@
 /** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
 import { ask } from '../live/server.js';
-import { byLevel, hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
+import {
+  byLevel,
+  hints,
+  lessonLine,
+  lessonTitle,
+  progressText,
+  startingText,
+  trialText,
+  likelyProgram,
+} from '../state/course.js';
 import { ClassLink } from './class-link.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
@@ -24,6 +33,7 @@ const DEFAULT_TRIALS = '3';
 export class CoursePanel {
   #note;
   #goLive;
+  #announce;
   /** @type {Lesson[]} */
   #lessons = [];
   /** @type {Lesson | undefined} */
@@ -48,11 +58,13 @@ export class CoursePanel {
   /**
    * @param {(text: string) => void} note
    * @param {() => void} goLive shows the present
+   * @param {(starting: string) => void} announce shows what is about to replace the scene
    * @param {(on: boolean) => void} showGhost shows or hides the ghost of the previous trial
    */
-  constructor(note, goLive, showGhost) {
+  constructor(note, goLive, announce, showGhost) {
     this.#note = note;
     this.#goLive = goLive;
+    this.#announce = announce;
     const ghost = check(
       'course-ghost',
       'Ghost of my last trial',
@@ -206,6 +218,7 @@ export class CoursePanel {
       return;
     }
     this.#shown = text;
+    this.#announce(startingText(attempt));
     if (attempt.state === 'OVER') {
       this.#attemptTo(() => this.#refresh());
     }

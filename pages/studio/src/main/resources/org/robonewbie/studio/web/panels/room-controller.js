@@ -49,6 +49,7 @@ export class RoomController {
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
    * @param {() => void} surroundings.goLive shows the present
+   * @param {(starting: string) => void} surroundings.announce shows what is about to replace the scene
    * @param {() => boolean} surroundings.hasClock whether the clock can be paused
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera returns the field's camera

@@ -1,6 +1,6 @@
 /** Exercises in the program room: the task above the program, and the Check button, which runs the judge on the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
-import { checkText, hints, progressText, trialText } from '../state/course.js';
+import { checkText, hints, progressText, startingText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
 import { note } from './note.js';
 
@@ -118,6 +118,7 @@ export class ExerciseController {
     this.#isShown = attempt.state !== 'NONE';
     this.verdict.hidden = this.room.firstMinute.receive(attempt) || !this.#isShown;
     this.status = checkText(attempt);
+    this.room.surroundings.announce(startingText(attempt));
     this.#speedUp(attempt);
     this.room.runs.draw();
     setText(this.progress, progressText(attempt));
@@ -129,11 +130,15 @@ export class ExerciseController {
       this.room.said.showOutput(attempt.output);
     }
   }
-  /** Runs the trials after the first one as fast as possible. @param {Attempt} attempt */
+
+  /** Runs the trials after the first one as fast as possible, and returns to real time after the last one. @param {Attempt} attempt */
   #speedUp({ state, judged }) {
     const isFast = judged.length > 0 && (state === 'WAITING' || state === 'RUNNING');
     if (isFast && !this.#isFast) {
       this.room.surroundings.send({ do: 'speed', factor: 'fastest' });
+    }
+    if (this.#isFast && state === 'OVER') {
+      this.room.surroundings.send({ do: 'speed', factor: 1 });
     }
     this.#isFast = isFast;
   }

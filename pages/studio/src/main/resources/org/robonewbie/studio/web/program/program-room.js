@@ -17,6 +17,7 @@ import { SaidPanel } from './said-panel.js';
  * @property {(text: string) => void} note
  * @property {() => void} clearErrors dismisses the errors shown on top of the 3D view
  * @property {() => void} goLive
+ * @property {(starting: string) => void} announce
  * @property {(command: object) => void} send
  * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
  * @property {() => boolean} isPitchEmpty whether the pitch has no robots and takes puppets

@@ -59,6 +59,11 @@ export function progressText(attempt) {
   return `${attempt.passed ? 'Passed' : 'Not yet passed'}: ${attempt.points.toFixed(1)} of 10 points`;
 }
 
+/** @param {Attempt} attempt @returns {string} the trial that waits for its program; empty for none */
+export function startingText({ state, program, judged }) {
+  return state === 'WAITING' && program ? `Starting trial ${judged.length + 1}…` : '';
+}
+
 /** @param {Attempt} attempt @returns {string} the state of its program; empty without an attempt */
 export function checkText({ state, program, passed }) {
   const name = program?.replace(/^.*\//, '').replace(/\.java$/, '');

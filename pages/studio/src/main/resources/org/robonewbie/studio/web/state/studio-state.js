@@ -14,6 +14,7 @@ import { playModeText } from './play-mode.js';
  * @property {number} movedMilliseconds time of the last change of the cycle, on the page's clock
  * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal side and time of the last goal
  * @property {Actions} actions
+ * @property {string} starting what is about to replace the scene; empty for nothing
  *
  * @typedef {{undo: string, redo: string}} Actions the actions to undo and redo, empty for none
  */
@@ -44,6 +45,7 @@ export function initialState() {
     movedMilliseconds: 0,
     goal: undefined,
     actions: { undo: '', redo: '' },
+    starting: '',
   };
 }
 
@@ -78,7 +80,16 @@ export function withRefusal(state, refusal) {
  * @returns {StudioState}
  */
 export function withScene(state, scene) {
-  return { ...state, scene, frame: undefined };
+  return { ...state, scene, frame: undefined, starting: '' };
+}
+
+/**
+ * @param {StudioState} state
+ * @param {string} starting what is about to replace the scene; empty for nothing
+ * @returns {StudioState}
+ */
+export function withStarting(state, starting) {
+  return { ...state, starting };
 }
 
 /**
@@ -148,6 +159,9 @@ export function message(state, now) {
       'Looking for the simulator…',
       'If this does not change, restart the simulator and open the address that it prints.',
     );
+  }
+  if (state.starting) {
+    return waiting(state.starting, 'The program is being compiled.');
   }
   if (state.scene.robots.length === 0) {
     return waiting('Waiting for a robot…', joinHint(state.scene));

@@ -150,7 +150,7 @@ const ROBOT_REACH = 0.3;
 
 /** Fraction of the free height that a robot fills. */
 const ROBOT_SHARE = 0.5;
-const FRONT_LEFT_DEGREES = 35;
+const FRONT_RIGHT_DEGREES = 50;
 const ROBOT_ELEVATION_DEGREES = 13;
 
 /**
@@ -163,7 +163,8 @@ export function robotCentre(torso) {
 }
 
 /**
- * Returns the three-quarter view of a robot from its front left.
+ * Returns the three-quarter view of a robot from its front right: a raised left arm does not hide the face, and a ball before the robot is
+ * visible.
  *
  * @param {readonly number[]} centre see {@link robotCentre}
  * @param {number} headingDegrees
@@ -173,7 +174,7 @@ export function robotCentre(torso) {
 export function robotView(centre, headingDegrees, { across, up }) {
   const view = {
     target: [...centre],
-    azimuthDegrees: headingDegrees + FRONT_LEFT_DEGREES,
+    azimuthDegrees: headingDegrees - FRONT_RIGHT_DEGREES,
     elevationDegrees: ROBOT_ELEVATION_DEGREES,
     distance: FARTHEST,
   };
