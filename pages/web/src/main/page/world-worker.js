@@ -108,7 +108,7 @@ const ACTIONS = {
     }
     postMessage({ id, result });
   },
-  stopProgram: (exports) => exports.stopProgram(),
+  stopProgram: (exports) => exports.stopProgram?.(),
   ask: (exports, command) => exports.ask(JSON.stringify(command)),
   call: (exports, { id, name, args }) => postMessage({ id, result: exports[name](...args) }),
 };

@@ -36,11 +36,11 @@ export class AgentChoice {
     this.#join = join;
   }
 
-  /** @param {readonly string[]} agents */
-  offer(agents) {
+  /** @param {readonly string[]} agents @param {string} [playing] the agent that plays; empty for a program or an empty pitch */
+  offer(agents, playing = '') {
     const entries = agents.map((name) => /** @type {[string, string]} */ ([name, name]));
     setEntries(this.list, entries);
-    this.list.value = this.chosen;
+    this.list.value = playing;
     setEntries(this.more, [['', '+ Robot'], ...entries]);
     this.#draw();
   }

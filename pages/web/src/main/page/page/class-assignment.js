@@ -105,17 +105,8 @@ class AssignmentPanel {
     const others = assignment.exercises.map((name) => `[data-exercise='${name}']`).join(', ');
     const style = `#class-choice, .standings, .lessons button:not(${others || '*'}) { display: none; }`;
     this.element.append(element('style', {}, style));
-    byId('course-trials').append(...this.#trials());
-    /** @type {HTMLSelectElement} */ (byId('course-trials')).value = String(assignment.seeds);
     window.addEventListener('hashchange', () => this.#refresh());
     this.#refresh();
-  }
-
-  /** Returns an entry for the number of trials if the list lacks it. */
-  #trials() {
-    const { seeds } = this.#assignment;
-    const isThere = byId('course-trials').querySelector(`[value='${seeds}']`) !== null;
-    return isThere ? [] : [element('option', { value: String(seeds) }, `${seeds} trials`)];
   }
 
   async #solutions() {

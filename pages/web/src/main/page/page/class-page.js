@@ -7,7 +7,7 @@ import { readFile, readLinks } from './submission.js';
 
 /**
  * @typedef {import('./submission.js').Received} Received
- * @typedef {{seeds: number, students: string[], programs: import('./class-grader.js').Program[], troubles: Record<string, string>}} Listed
+ * @typedef {{seeds: number, students: string[], senders: string[], programs: import('./class-grader.js').Program[], troubles: Record<string, string>}} Listed
  */
 
 const TABLES = ['grades.html', 'grades.csv', 'findings.csv', 'copies.csv'];
@@ -100,7 +100,7 @@ class ClassPage {
     const before = this.#listed?.seeds;
     const listed = /** @type {Listed} */ (await this.#worker.call('programs', { received: this.#received }));
     this.#listed = listed;
-    const { students, programs, troubles, seeds } = listed;
+    const { students, senders, programs, seeds } = listed;
     if (seeds !== before) {
       this.#seeds.value = [...this.#seeds.options].find(({ value }) => Number(value) >= seeds)?.value ?? '3';
     }
@@ -110,16 +110,39 @@ class ClassPage {
         ? ''
         : `${counted(students.length, 'student')}, ${counted(programs.length, 'program')}`,
     );
-    byId('class-students').replaceChildren(
-      ...students.map((name) => {
-        const count = programs.filter(({ student }) => student === name).length;
-        return element('li', {}, `${name}: ${counted(count, 'program')}`);
-      }),
-      ...Object.entries(troubles).map(([name, reason]) =>
-        element('li', { 'data-trouble': 'true' }, `${name}: ${reason}`),
-      ),
-    );
+    const entries = this.#received.map((received, index) => ({
+      received,
+      student: senders[index],
+    }));
+    const known = entries.filter(({ student }) => student !== '');
+    const unreadable = entries.filter(({ student }) => student === '');
+    known.sort((first, second) => first.student.localeCompare(second.student));
+    byId('class-students').replaceChildren(...known.map((entry) => this.#entry(entry, listed)));
+    byId('class-unreadable').hidden = unreadable.length === 0;
+    document
+      .querySelector('#class-unreadable ul')
+      ?.replaceChildren(...unreadable.map((entry) => this.#entry(entry, listed)));
     this.#grade.disabled = this.#received.length === 0;
+  }
+
+  /** @param {{received: Received, student: string}} entry @param {Listed} listed */
+  #entry({ received, student }, { programs, troubles }) {
+    const { source } = received;
+    const trouble = troubles[student || source] ?? '';
+    const count = programs.filter((program) => program.student === student).length;
+    const graded =
+      count === 0 && trouble !== ''
+        ? `${student} (${source}): not graded.`
+        : `${student}: ${counted(count, 'program')}.`;
+    const words = student === '' ? `${source}: ${trouble}` : `${graded} ${trouble}`;
+    const remove = button('Remove', `Removes ${source}`, () => this.#remove(received), { class: 'quiet' });
+    return element('li', { 'data-trouble': String(trouble !== '') }, words, remove);
+  }
+
+  /** @param {Received} received */
+  async #remove(received) {
+    this.#received = this.#received.filter((each) => each !== received);
+    await this.#list();
   }
 
   async #run() {
@@ -159,7 +182,11 @@ class ClassPage {
 
   /** @param {import('./class-grader.js').Mark[]} marks @param {number} seeds @param {number} count number of programs */
   async #show(marks, seeds, count) {
-    const files = await this.#worker.call('table', { received: this.#received, marks, seeds });
+    const files = await this.#worker.call('table', {
+      received: this.#received,
+      marks,
+      seeds,
+    });
     const stopped = marks.length < count ? `Stopped after ${marks.length} of ${counted(count, 'program')}. ` : '';
     setText(byId('class-progress'), stopped + files.sentence);
     /** @type {HTMLIFrameElement} */ (byId('class-table')).srcdoc = files['grades.html'];

@@ -28,13 +28,13 @@ export class WorldConnection {
       (event) => this.#fail(event.message),
     );
     choice.onChoice(
-      () => this.#begin(),
+      () => this.#begin(this.choice.all),
       (agent) => this.worker.postMessage({ join: agent }),
     );
   }
 
   open() {
-    this.#begin();
+    this.#begin(this.choice.all);
   }
 
   /** @param {object} command command such as `{do: 'pause'}` */
@@ -45,9 +45,10 @@ export class WorldConnection {
   /** A worker of the same page needs no timeout. */
   checkSilence() {}
 
-  #begin() {
+  /** @param {string[]} agents agents that play; the pitch stays empty without any */
+  #begin(agents) {
     this.programs.forget();
-    this.worker.postMessage({ begin: { agents: this.choice.all, seed: SEED } });
+    this.worker.postMessage({ begin: { agents, seed: SEED } });
   }
 
   /** @param {any} data a text message, a state frame, or a status of the worker */
@@ -64,7 +65,7 @@ export class WorldConnection {
       this.recordings.note(data.noted);
     } else if ('begun' in data) {
       this.recordings.agent = data.begun || this.programs.lastTried;
-      this.choice.offer(data.agents);
+      this.choice.offer(data.agents, data.begun);
       this.listener.opened();
     } else if ('run' in data) {
       this.programs.receive(data.run);
@@ -73,7 +74,7 @@ export class WorldConnection {
     } else if ('starter' in data) {
       this.course.create(data.starter);
     } else if ('freePitch' in data) {
-      this.#begin();
+      this.#begin([]);
     } else if ('result' in data) {
       this.questions.answered(data);
     } else if ('scene' in data) {

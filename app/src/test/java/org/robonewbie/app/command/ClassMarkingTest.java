@@ -79,10 +79,10 @@ class ClassMarkingTest {
                         "anna,10.0,10.0,1,",
                         "ben,10.0,10.0,1,",
                         "cora,0.0,0.0,0,raise-arms: It does not compile: RaiseArms.java:7: ';' expected",
-                        "dora,,0.0,0,No file is named after the class of an exercise. Is Raisearms.java meant to be"
+                        "dora,,,,No file is named after the class of an exercise. Is Raisearms.java meant to be"
                                 + " RaiseArms.java?",
                         "emil,5.0,5.0,0,",
-                        "fritz,,0.0,0,There is no .java file.");
+                        "fritz,,,,There is no .java file.");
         assertThat(Files.readString(results.resolve("copies.csv")))
                 .contains("01-raise-arms,anna,ben,100,100")
                 .contains("anna,emil");

@@ -96,7 +96,7 @@ class HostileClassTest {
             mkdir e13; truncate -s 3G e13/data.bin       | e13,,  | e13 contains more than 100 MB
             mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder that contains it
             mkdir ./-rf                                  | '-rf,, | There is no .java file
-            mkdir $'new\\nline'                          | "new   | line",,0.0,0,There is no .java file
+            mkdir $'new\\nline'                          | "new   | line",,,,There is no .java file
             """;
 
     @ParameterizedTest

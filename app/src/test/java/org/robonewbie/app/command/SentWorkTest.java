@@ -113,9 +113,9 @@ class SentWorkTest {
                         "Anna,10.0,10.0,1,",
                         "Ben,10.0,10.0,1,",
                         "Cora,10.0,10.0,1,This version has no exercise named fly-to-the-moon.",
-                        "Dora,,0.0,0,\"The name occurs 2 times: links.txt, line 5; links.txt, line 6. None of them was"
+                        "Dora,,,,\"The name occurs 2 times: links.txt, line 5; links.txt, line 6. None of them was"
                                 + " graded; remove all but one.\"",
-                        "\"links.txt, line 4\",,0.0,0,It is incomplete or damaged. Ask for it again.");
+                        "\"links.txt, line 4\",,,,It is incomplete or damaged. Ask for it again.");
         assertThat(Files.readString(results.resolve("copies.csv")))
                 .contains("Anna,Ben")
                 .doesNotContain("Cora");
@@ -133,7 +133,7 @@ class SentWorkTest {
         grade(folder.resolve("class"));
 
         assertThat(Files.readString(folder.resolve("class-grades/grades.csv")))
-                .contains("anna,10.0,10.0,1,", "Anna,,0.0,0,There is another submission with this name");
+                .contains("anna,10.0,10.0,1,", "Anna,,,,There is another submission with this name");
     }
 
     @Test
@@ -154,14 +154,14 @@ class SentWorkTest {
                 .containsExactly(
                         "student,01-raise-arms,points,passed,note",
                         "Anna,10.0,10.0,1,",
-                        "large.robonewbie,,0.0,0,It is larger than 1 MB unpacked.",
-                        "latin.robonewbie,,0.0,0,It is incomplete or damaged. Ask for it again.",
-                        "list.robonewbie,,0.0,0,It is incomplete or damaged. Ask for it again.",
-                        "name.robonewbie,,0.0,0,\"The name \"\"..\"\" begins with a dot. Choose another name.\"",
-                        "next.robonewbie,,0.0,0,It was made by another version of RoboNewbie (format 2; this version reads"
+                        "large.robonewbie,,,,It is larger than 1 MB unpacked.",
+                        "latin.robonewbie,,,,It is incomplete or damaged. Ask for it again.",
+                        "list.robonewbie,,,,It is incomplete or damaged. Ask for it again.",
+                        "name.robonewbie,,,,\"The name \"\"..\"\" begins with a dot. Choose another name.\"",
+                        "next.robonewbie,,,,It was made by another version of RoboNewbie (format 2; this version reads"
                                 + " format 1). Install the newest version.",
-                        "noise.robonewbie,,0.0,0,It is incomplete or damaged. Ask for it again.",
-                        "outside.robonewbie,,0.0,0,\"The file name \"\"../../RaiseArms.java\"\" contains \"\"/\"\". Choose"
+                        "noise.robonewbie,,,,It is incomplete or damaged. Ask for it again.",
+                        "outside.robonewbie,,,,\"The file name \"\"../../RaiseArms.java\"\" contains \"\"/\"\". Choose"
                                 + " another name.\"");
     }
 
@@ -179,7 +179,7 @@ class SentWorkTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(sent.resolve("class-grades/grades.csv")))
-                .contains("Anna,10.0,10.0,1,", "notes.txt,,0.0,0,It contains no submission.");
+                .contains("Anna,10.0,10.0,1,", "notes.txt,,,,It contains no submission.");
         assertThat(missing.exitCode()).isEqualTo(2);
         assertThat(missing.err()).contains("There is no file or folder").contains("nothing.robonewbie");
     }

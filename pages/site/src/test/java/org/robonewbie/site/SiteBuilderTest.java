@@ -174,7 +174,11 @@ class SiteBuilderTest {
 
         assertThat(site.resolve("lectures/slides/1-robots.html")).exists();
         assertThat(site.resolve("lectures/slides/slides.css")).exists();
-        assertThat(site.resolve("teaching/api-card.html")).exists();
+        assertThat(site.resolve("teaching/api-card.html"))
+                .content()
+                .contains("api-card.css")
+                .doesNotContain("<style");
+        assertThat(site.resolve("teaching/api-card.css")).exists();
         assertThat(site.resolve("print.css")).content().contains("A4", ".worksheet");
         assertThat(site.resolve("exercises/12-kick.html")).content().contains("class=\"worksheet\"", "lang=\"en\"");
         assertThat(site.resolve("exercises/de/12-kick.html")).content().contains("class=\"worksheet\"", "lang=\"de\"");
@@ -233,7 +237,7 @@ class SiteBuilderTest {
                 .matcher(html)
                 .results()
                 .map((MatchResult match) -> match.group(1))
-                .filter(address -> !address.contains("://") && !address.startsWith("#"))
+                .filter(address -> !address.matches("(?s).*://.*|data:.*|#.*"))
                 .map(address -> address.replaceFirst("#.*", ""));
     }
 

@@ -21,10 +21,15 @@ final class AccessGuard extends Handler.Wrapper {
     private static final String USED_UP = """
             <!doctype html>
             <html lang="en"><meta charset="utf-8"><title>RoboNewbie Studio</title>
+            <link rel="icon" href="/icon.svg" type="image/svg+xml">
+            <link rel="stylesheet" href="/theme.css"><link rel="stylesheet" href="/layout.css">
+            <header class="bar"><p class="brand"><img src="/icon.svg" alt="" width="28" height="28">RoboNewbie</p></header>
+            <main class="used-up">
             <h1>This address has already been used</h1>
             <p>Each address works only once and expires after ten minutes.
             For a new one, press <kbd>Enter</kbd> in the terminal in which RoboNewbie is running, or restart RoboNewbie.</p>
             <p>The studio may <a href="/">already be open</a> in this browser.</p>
+            </main>
             """;
 
     private final AccessRule rule;

@@ -165,9 +165,11 @@ class ClassInThePageTest {
                         cora.substring(0, cora.length() / 2),
                         dora,
                         link(work("dora", copy))));
-        browser.await("document.querySelector('#class-count').innerText === '3 students, 3 programs'");
+        browser.await("document.querySelector('#class-count').innerText === '4 students, 3 programs'");
+        assertThat(browser.evaluate("document.querySelector('#class-unreadable').innerText").getAsString())
+                .startsWith("Could not be read").contains("pasted, line 3: It is incomplete or damaged.");
         browser.click("#class-grade");
-        browser.await("document.querySelector('#class-progress').innerText.startsWith('5 students, 3 programs.')");
+        browser.await("document.querySelector('#class-progress').innerText.startsWith('4 students, 3 programs.')");
 
         Path csv = browser.download(
                 folder,
@@ -182,15 +184,21 @@ class ClassInThePageTest {
                                 .isEqualTo("Cora,0.0,0.0,0,This version has no exercise named fly-to-the-moon. raise-arms: It"
                                         + " does not compile: RaiseArms.java:7: ';' expected"),
                         line -> assertThat(line)
-                                .isEqualTo("Dora,,0.0,0,\"The name occurs 2 times: pasted, line 4; pasted, line 5. None of"
+                                .isEqualTo("Dora,,,,\"The name occurs 2 times: pasted, line 4; pasted, line 5. None of"
                                         + " them was graded; remove all but one.\""),
                         line -> assertThat(line)
                                 .isEqualTo(
-                                        "\"pasted, line 3\",,0.0,0,It is incomplete or damaged. Ask for it again."));
+                                        "\"pasted, line 3\",,,,It is incomplete or damaged. Ask for it again."));
         browser.await("document.querySelector('#class-table').contentDocument.body.innerText.includes('Anna')");
         assertThat(browser.evaluate("document.querySelector('#class-table').contentDocument.body.innerText")
                         .getAsString())
+                .contains("Dora\tnot graded");
+        assertThat(browser.evaluate("document.querySelector('#class-table').contentDocument.body.innerText")
+                        .getAsString())
                 .contains("3 pairs of programs are alike", "01-raise-arms\tAnna\tBen\t100 %");
+        browser.clickElement("[...document.querySelectorAll('#class-students li')].find((each) =>"
+                + " each.innerText.startsWith('Dora (pasted, line 5)')).querySelector('button')");
+        browser.await("document.querySelector('#class-count').innerText === '4 students, 4 programs'");
         assertThat(browser.complaints()).isEmpty();
     }
 

@@ -136,7 +136,7 @@ class ExercisesInThePageTest {
         browser.click("#program-check");
         browser.await(SHOWN + ".includes('Passed: 10.0 of 10 points')");
         browser.click("#program-leave");
-        browser.await("studio.state.scene.robots.length === 1 && studio.state.frame.cycle > 10");
+        browser.await("studio.state.scene.robots.length === 0 && studio.state.frame.cycle > 10");
 
         JsonObject course = browser.evaluate("fetch('api/course').then((answer) => answer.json())")
                 .getAsJsonObject();

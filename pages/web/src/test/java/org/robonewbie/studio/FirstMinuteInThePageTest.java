@@ -62,6 +62,7 @@ class FirstMinuteInThePageTest {
         passLevel("Make it walk to the ball and kick");
 
         browser.await("document.querySelector('#program-check') !== null");
+        browser.await("studio.state.scene.robots.length === 0");
         assertThat(browser.evaluate(
                                 "studio.rooms.program.service.read('own', 'Wave.java').then(({ text }) => text.content)")
                         .getAsString())

@@ -59,7 +59,7 @@ final class ClassFolder {
                 all.addAll(source, results.toAbsolutePath().normalize());
             } else if (Files.exists(source)) {
                 if (!all.add(source)) {
-                    all.trouble(String.valueOf(source.getFileName()), "It contains no submission.");
+                    all.note(String.valueOf(source.getFileName()), "It contains no submission.");
                 }
             } else {
                 throw new CalledWronglyException("There is no file or folder " + source
@@ -67,7 +67,7 @@ final class ClassFolder {
             }
         }
         all.addReceived();
-        if (all.submissions.isEmpty()) {
+        if (all.submissions.isEmpty() && all.troubles.isEmpty()) {
             throw new CalledWronglyException("The folder " + sources.get(0)
                     + " contains no programs. It must contain a folder for each student, such as "
                     + sources.get(0).resolve("anna") + ", with files such as "
@@ -91,7 +91,7 @@ final class ClassFolder {
         return Collections.unmodifiableMap(submissions);
     }
 
-    /** Returns, by student, the reasons why submissions cannot be graded. */
+    /** Returns the reasons why submissions cannot be graded, by student, or by file if it could not be read. */
     Map<String, String> troubles() {
         return Collections.unmodifiableMap(troubles);
     }
@@ -142,7 +142,8 @@ final class ClassFolder {
                 addPrograms(student, copies.resolve(student));
             }
         }
-        received.troubles().forEach(this::trouble);
+        received.students().forEach(student -> submissions.computeIfAbsent(student, any -> new ArrayList<>()));
+        received.troubles().forEach(this::note);
     }
 
     /** Writes the files of a submission, whose names {@link HandIn} has checked. */
@@ -189,7 +190,7 @@ final class ClassFolder {
                 .filter(each -> type.matches("(?s).+[-_. ]" + each.className()))
                 .findFirst();
         if (exercise.isEmpty()) {
-            trouble(
+            note(
                     type,
                     "The file name " + name
                             + " must contain the student's name and the exercise. Rename the file, for example"
@@ -227,7 +228,12 @@ final class ClassFolder {
 
     private void trouble(String student, String sentence) {
         submissions.computeIfAbsent(student, any -> new ArrayList<>());
-        troubles.merge(student, sentence, (first, second) -> first + " " + second);
+        note(student, sentence);
+    }
+
+    /** Reports why a submission of a student, or a file, could not be graded. */
+    private void note(String name, String sentence) {
+        troubles.merge(name, sentence, (first, second) -> first + " " + second);
     }
 
     private String nothingIn(List<Path> programs) {

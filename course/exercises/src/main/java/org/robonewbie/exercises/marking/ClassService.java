@@ -8,7 +8,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
@@ -48,20 +47,23 @@ public final class ClassService {
      * Lists the programs to grade.
      *
      * @param request {@code {"received": [{"source": …, "text": …} or {"source": …, "trouble": …}]}}
-     * @return {@code {"seeds": …, "students": […], "programs": [{"student": …, "exercise": …, "file": …, "files": {…}}],
+     * @return {@code {"seeds": …, "students": […], "senders": [student or "" for each received], "programs": [{"student": …, "exercise": …, "file": …, "files": {…}}],
      *     "troubles": {…}}}
      */
     static String programs(String request) {
         ReceivedWork received = received(parse(request));
         List<JsonObject> programs = new ArrayList<>();
-        List<String> students = new ArrayList<>();
         int seeds = 1;
         for (HandIn work : received.accepted()) {
-            students.add(work.student());
             seeds = Math.max(seeds, work.seeds());
             work.solved().forEach(exercise -> programs.add(program(work, exercise)));
         }
-        return Json.object("seeds", seeds, "students", students, "programs", programs, "troubles", received.troubles())
+        return Json.object(
+                        "seeds", seeds,
+                        "students", received.students(),
+                        "senders", received.senders(),
+                        "programs", programs,
+                        "troubles", received.troubles())
                 .toString();
     }
 
@@ -84,10 +86,9 @@ public final class ClassService {
         JsonObject read = parse(request);
         ReceivedWork received = received(read);
         List<CopyCheck.Program> programs = new ArrayList<>();
-        Set<String> students = new TreeSet<>(received.troubles().keySet());
+        List<String> students = received.students();
         Set<String> columns = new HashSet<>();
         for (HandIn work : received.accepted()) {
-            students.add(work.student());
             columns.addAll(work.exercises());
             for (Exercise exercise : work.solved()) {
                 columns.add(exercise.name());
@@ -101,7 +102,7 @@ public final class ClassService {
                 Exercises.all().stream()
                         .filter(exercise -> columns.contains(exercise.name()))
                         .toList(),
-                List.copyOf(students),
+                students,
                 marks,
                 received.troubles(),
                 CopyCheck.ofPrograms(programs),

@@ -21,7 +21,7 @@ import org.robonewbie.nao.text.Html;
  * @param exercises the columns
  * @param students the rows
  * @param marks the grades
- * @param troubles reasons why submissions could not be graded, by student
+ * @param troubles reasons why submissions could not be graded, by student, or by source if it could not be read
  * @param copies result of the plagiarism check
  * @param seeds the number of trials for each program
  */
@@ -121,15 +121,13 @@ record ClassTable(
                         Stream.of("points", "passed", "note"))
                 .flatMap(words -> words);
         List<String> lines = new ArrayList<>(List.of(Csv.line(head)));
-        for (String student : students) {
+        for (String student : Stream.concat(students.stream(), unreadable()).toList()) {
             Stream<String> cells = exercises.stream()
                     .map(exercise ->
                             mark(student, exercise).map(ClassTable::points).orElse(""));
-            lines.add(Csv.line(Stream.of(
-                            Stream.of(student),
-                            cells,
-                            Stream.of(sum(student), String.valueOf(passed(student)), note(student)))
-                    .flatMap(words -> words)));
+            lines.add(Csv.line(
+                    Stream.of(Stream.of(student), cells, Stream.of(sum(student), passed(student), note(student)))
+                            .flatMap(words -> words)));
         }
         return Csv.text(lines);
     }
@@ -177,20 +175,28 @@ record ClassTable(
         return Html.page("Grades", STYLE, """
             <h1>Grades</h1>
             <p class="note">Points are means over %d trials. Green: all trials passed; yellow: some failed; red: the program could not be
-            started. Hover over a cell to see what was measured.</p>
+            started; empty: not graded. Hover over a cell to see what was measured.</p>
             <div class="wide"><table>
             <thead><tr><th>Student</th><th>Points</th><th>Passed</th>%s</tr></thead>
             <tbody>
             %s</tbody></table></div>
-            %s%s""".formatted(seeds, heads, rows, notes(), alike()));
+            %s%s%s""".formatted(
+                        seeds,
+                        heads,
+                        rows,
+                        notes("What could not be graded", students.stream()),
+                        notes("Links and files that could not be read", unreadable()),
+                        alike()));
     }
 
     private String row(String student) {
         String cells = exercises.stream()
                 .map(exercise -> mark(student, exercise).map(ClassTable::cell).orElse("<td></td>"))
                 .collect(Collectors.joining());
-        return "<tr><td>" + Html.text(student) + "</td><td>" + sum(student) + "</td><td>" + passed(student) + "</td>"
-                + cells + "</tr>\n";
+        String sums = isGraded(student)
+                ? "<td>" + sum(student) + "</td><td>" + passed(student) + "</td>"
+                : "<td colspan=\"2\" title=\"" + Html.text(note(student)) + "\">not graded</td>";
+        return "<tr><td>" + Html.text(student) + "</td>" + sums + cells + "</tr>\n";
     }
 
     private static String cell(Mark mark) {
@@ -199,13 +205,19 @@ record ClassTable(
                 + (mark.passed() ? " ✓" : "") + "</td>";
     }
 
-    private String notes() {
-        String rows = students.stream()
-                .filter(student -> !note(student).isEmpty())
+    /** Returns the sources of submissions that could not be read. */
+    private Stream<String> unreadable() {
+        return troubles.keySet().stream()
+                .filter(source -> !students.contains(source))
+                .sorted();
+    }
+
+    private String notes(String title, Stream<String> names) {
+        String rows = names.filter(student -> !note(student).isEmpty())
                 .map(student ->
                         "<tr><td>" + Html.text(student) + "</td><td>" + Html.text(note(student)) + "</td></tr>\n")
                 .collect(Collectors.joining());
-        return rows.isEmpty() ? "" : "<h2>What could not be graded</h2>\n<table class=\"words\">" + rows + "</table>\n";
+        return rows.isEmpty() ? "" : "<h2>" + title + "</h2>\n<table class=\"words\">" + rows + "</table>\n";
     }
 
     private String alike() {
@@ -229,31 +241,37 @@ record ClassTable(
 
     /** Returns why some programs of a student could not be graded. */
     private String note(String student) {
-        Stream<String> broken = marks.stream()
-                .filter(mark -> mark.student().equals(student) && mark.grade().isEmpty())
+        Stream<String> broken = marks(student)
+                .filter(mark -> mark.grade().isEmpty())
                 .map(mark -> mark.exercise() + ": " + mark.reason());
         return Stream.concat(Optional.ofNullable(troubles.get(student)).stream(), broken)
                 .collect(Collectors.joining(" "));
     }
 
     private Optional<Mark> mark(String student, Exercise exercise) {
-        return marks.stream()
-                .filter(mark ->
-                        mark.student().equals(student) && mark.exercise().equals(exercise.name()))
+        return marks(student)
+                .filter(mark -> mark.exercise().equals(exercise.name()))
                 .findFirst();
     }
 
-    private String sum(String student) {
-        return number(marks.stream()
-                .filter(mark -> mark.student().equals(student))
-                .mapToDouble(Mark::points)
-                .sum());
+    private Stream<Mark> marks(String student) {
+        return marks.stream().filter(mark -> mark.student().equals(student));
     }
 
-    private long passed(String student) {
-        return marks.stream()
-                .filter(mark -> mark.student().equals(student) && mark.passed())
-                .count();
+    private boolean isGraded(String student) {
+        return marks(student).findAny().isPresent();
+    }
+
+    private String sum(String student) {
+        return isGraded(student)
+                ? number(marks(student).mapToDouble(Mark::points).sum())
+                : "";
+    }
+
+    private String passed(String student) {
+        return isGraded(student)
+                ? String.valueOf(marks(student).filter(Mark::passed).count())
+                : "";
     }
 
     private static String points(Mark mark) {

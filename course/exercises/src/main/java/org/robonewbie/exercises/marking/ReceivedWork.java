@@ -17,6 +17,7 @@ final class ReceivedWork {
 
     private final Map<String, List<Received>> received = new TreeMap<>();
     private final Map<String, String> troubles = new TreeMap<>();
+    private final List<String> senders = new ArrayList<>();
 
     private record Received(String source, HandIn work) {}
 
@@ -29,6 +30,7 @@ final class ReceivedWork {
             if (sameName.stream().noneMatch(other -> other.work().equals(work))) {
                 sameName.add(new Received(source, work));
             }
+            senders.add(sameName.get(0).work().student());
         } catch (IllegalArgumentException refused) {
             refuse(source, String.valueOf(refused.getMessage()));
         }
@@ -36,7 +38,20 @@ final class ReceivedWork {
 
     /** Reports a source that could not be read. */
     void refuse(String source, String reason) {
+        senders.add("");
         troubles.merge(source, reason, (first, second) -> first.equals(second) ? first : first + " " + second);
+    }
+
+    /** Returns the student of each added submission in the order of addition; empty if it could not be read. */
+    List<String> senders() {
+        return List.copyOf(senders);
+    }
+
+    /** Returns all students in the order of names, including those whose submissions do not count. */
+    List<String> students() {
+        return received.values().stream()
+                .map(sameName -> sameName.get(0).work().student())
+                .toList();
     }
 
     /** Returns the accepted submissions in the order of names. Call after all have been added. */

@@ -159,15 +159,15 @@ export class CoursePanel {
       const { program, write } = this.#parts;
       const before = program.value;
       const entries = programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name]));
-      setEntries(program, acceptsAgents ? [...entries, ['', 'An agent that I start myself']] : entries);
-      this.#offerStart(program.options.length > 0);
+      setEntries(program, acceptsAgents ? [...entries, ['', 'From my IDE']] : entries);
+      this.#offerStart(acceptsAgents);
       program.value = likelyProgram(lesson, programs) || (programs.includes(before) ? before : '');
       setText(write, `Create ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
     }
   }
 
-  /** @param {boolean} isPossible whether there is a program to start */
+  /** @param {boolean} isPossible whether programs can be started here; a page checks them in the Program room */
   #offerStart(isPossible) {
     const { program, trials, start } = this.#parts;
     [program, trials, start].forEach((each) => {
@@ -276,8 +276,8 @@ function words() {
 
 /** Controls of an attempt. */
 function controls() {
-  const control = (/** @type {string} */ id, /** @type {string} */ title, text = '') =>
-    element('button', { type: 'button', id, title }, text);
+  const control = (/** @type {string} */ id, /** @type {string} */ title, text = '', kind = '') =>
+    element('button', { type: 'button', id, title, class: kind }, text);
   const counts = TRIALS.map((count) => /** @type {const} */ ([count, count === '1' ? '1 trial' : `${count} trials`]));
   const trials = choice({ id: 'course-trials', 'aria-label': 'Trials' }, counts, () => {});
   trials.value = DEFAULT_TRIALS;
@@ -288,6 +288,7 @@ function controls() {
       'course-here',
       'Opens your program, or the starter code, in the Program room',
       'Edit beside the robot',
+      'primary',
     ),
     write: control('course-write', 'Creates the starter code in the working folder'),
     start: control('course-start', 'Runs the program on this pitch and grades it', 'Start'),

@@ -1,6 +1,6 @@
 /** Loads each room when it is first entered, so that startup does not wait for unused rooms. */
 
-import { element } from './elements.js';
+import { byId, element } from './elements.js';
 
 /**
  * @typedef {import('./rooms.js').RoomName} RoomName
@@ -153,6 +153,9 @@ export class RoomController {
   }
 
   async #openReplay() {
+    const place = byId('recordings');
+    place.hidden = false;
+    place.replaceChildren(element('p', { class: 'faint' }, 'Loading the recordings…'));
     const { openReplayRoom } = await import('../replay/replay-room.js');
     this.replay = await openReplayRoom(this.surroundings);
   }

@@ -52,7 +52,7 @@ export class RecordingRepository {
     this.#search.addEventListener('input', () => this.#applyFilter());
     const tools = element('span', { class: 'list-tools' }, this.#undo, this.#filter, this.#search);
     const head = element('div', { class: 'list-head' }, element('h2', {}, 'Recordings'), tools);
-    this.place.append(head, this.#nothing, this.#grid);
+    this.place.replaceChildren(head, this.#nothing, this.#grid);
   }
 
   /** @param {boolean} open */

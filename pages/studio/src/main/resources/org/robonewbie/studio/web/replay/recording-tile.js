@@ -24,7 +24,7 @@ const EVENTS = { goal: ['goal', 'goals'], fall: ['fall', 'falls'], foul: ['foul'
 export class RecordingTile {
   #picture = element('span', { class: 'recording-picture' });
   #teams = element('strong', {}, '…');
-  #facts = element('span', { class: 'faint' });
+  #facts = element('span', { class: 'faint' }, '…');
   #agent = element('span', { class: 'faint' });
   #name = element('span', { class: 'faint recording-title' });
   #content = '';
@@ -40,8 +40,8 @@ export class RecordingTile {
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
     this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
     this.rename = button('Rename', `Rename ${name}`, () => this.#askName(), { class: 'quiet' });
-    const remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
-    this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
+    this.remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
+    this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, this.remove);
     this.card = element('article', { 'data-recording': name }, this.open, this.tools);
     this.update(entry);
   }
@@ -59,6 +59,7 @@ export class RecordingTile {
     this.star.setAttribute('aria-label', `Star of ${name}`);
     const marks = bookmarks.length === 1 ? '1 bookmark' : `${bookmarks.length} bookmarks`;
     setText(this.#agent, [agent, bookmarks.length > 0 ? marks : ''].filter(Boolean).join(' · '));
+    this.remove.hidden = running;
     setText(this.#name, running ? `${name} · now` : name);
     return hasEnded;
   }
@@ -67,6 +68,7 @@ export class RecordingTile {
   fill(content) {
     if (!content) {
       setText(this.#teams, 'cannot be read');
+      setText(this.#facts, '');
       return;
     }
     const { left, right, score, count, robots } = content;

@@ -5,7 +5,7 @@ import { button, choice, element } from '../panels/elements.js';
 
 const LEVELS = ['DEBUG', 'INFO', 'WARNING', 'ERROR'];
 const MAX_LINES = 300;
-const NOTHING_SAID = 'This robot has logged nothing yet. Its program writes here with nao.log("…").';
+const NOTHING_SAID = 'This robot has logged nothing yet. Its program writes here with log.info("…").';
 const HALF_CYCLE = 0.01;
 
 /**
