@@ -69,6 +69,8 @@ export class CodeEditor {
     root.append(inside);
     this.extensions = this.#extensions(listener);
     this.view = new EditorView({ root, parent: inside, state: this.#fresh('', true) });
+    // CodeMirror itself ignores a change of size shortly after an update; line numbers would slip beside wrapped lines.
+    new ResizeObserver(() => this.view.requestMeasure()).observe(this.view.contentDOM);
   }
 
   get text() {
