@@ -173,7 +173,13 @@ export class CodeEditor {
     return [
       GHOST_TEXT,
       ...[lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection()],
-      ...[history(), indentOnInput(), bracketMatching(), closeBrackets(), highlightSelectionMatches()],
+      ...[
+        history(),
+        indentOnInput(),
+        bracketMatching(),
+        closeBrackets(),
+        highlightSelectionMatches({ wholeWords: true }),
+      ],
       ...[search({ top: true }), java(), indentUnit.of('    '), EditorState.tabSize.of(4)],
       autocompletion({ override: [complete], icons: false }),
       keymap.of([
