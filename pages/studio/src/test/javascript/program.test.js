@@ -67,6 +67,10 @@ test('the state of a program is described, and an endless loop is named', () => 
     '3.02 s: think() has not returned for 5 s; the run ends here. Is this an endless loop? (MyAgent.java:12)';
 
   assert.equal(runText({ ...run, state: 'RUNNING' }), 'MyAgent.java is running.');
+  assert.equal(
+    runText({ ...run, state: 'RUNNING' }, 'Agent_Wave'),
+    'Agent_Wave is running; saving makes your copy MyAgent.java.',
+  );
   assert.equal(runText({ ...run, state: 'ENDED' }), 'MyAgent.java has ended.');
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1, output }), /did not return \(MyAgent\.java:12\)/);
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /has failed/);

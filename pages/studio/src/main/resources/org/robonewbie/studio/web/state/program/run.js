@@ -19,14 +19,18 @@ export function isUnderWay({ state }) {
   return state === 'STARTING' || state === 'RUNNING';
 }
 
-/** @param {ProgramRun} run @returns {string} its state, as a sentence */
-export function runText(run) {
+/**
+ * @param {ProgramRun} run
+ * @param {string} [example] name of the running example whose copy the program is to become, empty for none
+ * @returns {string} its state, as a sentence
+ */
+export function runText(run, example = '') {
   const name = fileName(run.program);
   switch (name === '' ? 'NONE' : run.state) {
     case 'STARTING':
       return `${name} is starting…`;
     case 'RUNNING':
-      return `${name} is running.`;
+      return example ? `${example} is running; saving makes your copy ${name}.` : `${name} is running.`;
     case 'STOPPED':
       return `${name} was stopped.`;
     case 'REFUSED':
