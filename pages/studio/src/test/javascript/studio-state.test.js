@@ -95,6 +95,16 @@ test('the score board shows teams, score, time and play mode', () => {
   assert.equal(board.playMode, 'Kick-off · Blue');
 });
 
+test('the score board is for two teams, or for goals', () => {
+  const alone = withFrame(live(), sampleFrame({ scoreLeft: 0 }), 0);
+  const both = { ...sampleScene(), teams: { left: 'Blue', right: 'Red' } };
+
+  assert.equal(scoreBoard(live(), 0).isGame, false);
+  assert.equal(scoreBoard(alone, 0).isGame, false);
+  assert.equal(scoreBoard(withFrame(live(), sampleFrame({ scoreLeft: 1 }), 0), 0).isGame, true);
+  assert.equal(scoreBoard(withScene(live(), both), 0).isGame, true);
+});
+
 test('a goal is celebrated for some seconds', () => {
   const before = withFrame(live(), sampleFrame({ scoreRight: 0 }), 1000);
   const goal = withFrame(before, sampleFrame({ scoreRight: 1 }), 2000);

@@ -308,7 +308,7 @@ export class Studio {
     this.#draws.forEach((draw) => draw(shown, now));
     const { tense } = this.session.shown;
     this.drawTimeLine(tense, ['motion', 'replay'].includes(this.room()));
-    byId('score-board').hidden = this.room() === 'replay' && tense !== 'recorded';
+    byId('score-board').hidden ||= this.room() === 'replay' && tense !== 'recorded';
     byId('gone').hidden = shown.connection !== 'lost' || !byId('field-room').hidden;
   }
 }

@@ -199,6 +199,7 @@ function waiting(title, text) {
 export function scoreBoard(state, now) {
   const { scene, frame, goal } = state;
   return {
+    isGame: isGame(state),
     cheers: goal && now - goal.milliseconds < CHEER_MILLISECONDS ? goal.side : '',
     left: scene?.teams.left || NO_TEAM,
     right: scene?.teams.right || NO_TEAM,
@@ -209,6 +210,12 @@ export function scoreBoard(state, now) {
     half: frame ? (frame.half === 2 ? '2nd half' : '1st half') : '',
     playMode: scene && frame ? playModeText(scene.playModes[frame.playMode], scene.teams) : '',
   };
+}
+
+/** Returns whether there are two teams or there has been a goal. @param {StudioState} state */
+function isGame({ scene, frame }) {
+  const hasBoth = Boolean(scene?.teams.left && scene.teams.right);
+  return hasBoth || (frame !== undefined && frame.scoreLeft + frame.scoreRight > 0);
 }
 
 /**
