@@ -234,9 +234,8 @@ export class Studio {
 
   /** @param {import('./panels/rooms.js').RoomName} entered */
   async #enter(entered) {
-    const { recorded } = this.cursor;
-    if (recorded?.running && entered !== 'replay') {
-      this.cursor.goTo(recorded.frame.cycle);
+    if (this.cursor.recorded?.running && entered !== 'replay') {
+      this.cursor.goLive(); // other rooms steer the running simulation
     }
     this.touch();
     this.workspace.enter(entered);
