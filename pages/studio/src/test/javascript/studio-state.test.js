@@ -45,6 +45,7 @@ test('an empty field waits for a robot', () => {
 
   assert.match(message(empty, 0)?.title ?? '', /Waiting for a robot/);
   assert.match(message(empty, 0)?.text ?? '', /run Agent_BasicStructure/);
+  assert.match(message(empty, 0, true)?.text ?? '', /Edit beside the robot/);
 });
 
 test('a world without a port suggests only what is possible there', () => {

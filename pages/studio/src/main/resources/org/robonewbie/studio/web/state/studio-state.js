@@ -23,6 +23,8 @@ const STANDSTILL_MILLISECONDS = 1500;
 
 const NO_TEAM = 'no team yet';
 
+const EXERCISE_HINT = 'Choose an exercise, then press “Edit beside the robot”.';
+
 /** How long a goal is celebrated. */
 const CHEER_MILLISECONDS = 4000;
 
@@ -134,9 +136,10 @@ function lastGoal(state, frame, now) {
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
+ * @param {boolean} [inExercises] whether the exercises are beside the field
  * @returns {Message | undefined}
  */
-export function message(state, now) {
+export function message(state, now, inExercises = false) {
   if (state.refusal) {
     return trouble('The simulator rejected this page', state.refusal);
   }
@@ -150,7 +153,7 @@ export function message(state, now) {
     );
   }
   if (state.scene.robots.length === 0) {
-    return waiting('Waiting for a robot…', joinHint(state.scene));
+    return waiting('Waiting for a robot…', inExercises ? EXERCISE_HINT : joinHint(state.scene));
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting(
