@@ -8,6 +8,7 @@ import { fileName } from './remarks.js';
 
 const CRASH = /^(Stopped at|Exception in thread) /m;
 const PLACES = /([\w$]+\.java):(\d+)/g;
+const JOINING = /^Joining the server at /;
 const REPORT_TIME = /^\d+\.\d\d s: /;
 const ENDLESS = /think\(\) has not returned.*?\(([^)]*)\)/s;
 
@@ -68,7 +69,7 @@ export function crashOf({ state, program, output, exitCode }) {
 }
 
 /**
- * Removes from the output of a program what its robot has also reported by telemetry.
+ * Removes from the output of a program what its robot has also reported by telemetry, and the server that it has joined.
  *
  * @param {string} output
  * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log
@@ -76,7 +77,7 @@ export function crashOf({ state, program, output, exitCode }) {
  */
 export function withoutReports(output, reports) {
   const lines = output.split('\n');
-  return lines.filter((line) => !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
+  return lines.filter((line) => !JOINING.test(line) && !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
 }
 
 /**
