@@ -159,16 +159,16 @@ class RobotPageTest {
         for (String value : List.of("torso/x", "joint angle/neck yaw")) {
             browser.click("[data-value=\"" + value + "\"]");
         }
-        browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
-        browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
+        browser.await("studio.robot.plots.rows[4]?.plot?.series.length === 3");
+        browser.await("studio.robot.plots.rows[4].plot.data[2].length > 10");
         browser.await("studio.robot.plots.moment.seconds > 1"); // curves show at least one second
 
         browser.click("#hold-curves");
-        browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
+        browser.await("studio.robot.plots.rows[4].plot.scales.x.max === studio.robot.plots.heldAt");
         double end = browser.evaluate("studio.robot.plots.heldAt").getAsDouble();
         browser.await("studio.robot.plots.moment.seconds > " + (end + 0.5));
 
-        assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max")
+        assertThat(browser.evaluate("studio.robot.plots.rows[4].plot.scales.x.max")
                         .getAsDouble())
                 .isEqualTo(end);
         browser.evaluate("(() => { URL.createObjectURL = blob => { window.saved = blob; return '#'; }; })()");
