@@ -8,6 +8,7 @@ import { addAssignment, takeAssignment } from './class-assignment.js';
 import { CourseServer } from './course-server.js';
 import { showBrowserAdvice } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
+import { HistoryStore } from './history-store.js';
 import { MotionServer } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
 import { PageRecordings } from './page-recordings.js';
@@ -59,7 +60,8 @@ async function begin(worker) {
   const trouble = refused || (await takeShared(repository)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
-  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, repository, choice);
+  const compiler = new PageCompiler(() => worker.prepare());
+  const programs = new ProgramServer(compiler, worker, repository, choice, new HistoryStore());
   const questions = new WorldQuestions(worker);
   const course = new CourseServer(questions, repository, programs);
   const motions = new MotionServer(questions);

@@ -20,24 +20,6 @@ const EXAMPLES = [
   'Agent_BetterSoccer',
 ];
 
-/** @param {string} name name of the class @returns {string} a minimal program that moves a robot */
-const shortest = (name) => `import org.robonewbie.agent.Agent;
-import org.robonewbie.nao.Joint;
-
-public class ${name} extends Agent {
-    public static void main(String[] args) {
-        new ${name}().run(args);
-    }
-
-    @Override
-    protected void think() {
-        double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH); // degrees
-        nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0); // degrees per second
-        log.info("left shoulder %.1f degrees", angle);
-    }
-}
-`;
-
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
@@ -59,9 +41,11 @@ export class ProgramServer {
    * @param {import('./world-process.js').World} world
    * @param {ProgramRepository} repository
    * @param {{others: string[]}} agents shipped agents that play alongside a program
+   * @param {import('./history-store.js').HistoryStore} histories
    */
-  constructor(compiler, world, repository, agents) {
+  constructor(compiler, world, repository, agents, histories) {
     this.#repository = repository;
+    this.histories = histories;
     this.agents = agents;
     this.compiler = compiler;
     this.world = world;
@@ -107,9 +91,14 @@ export class ProgramServer {
       case 'GET draft':
         return file(this.#repository.read(kind === 'own' ? 'own' : 'draft', name), name);
       case 'GET example':
-        return new Response(await this.#example(name));
+        return new Response(await template(name));
       case 'GET new':
-        return new Response(await this.#newProgram(name, wish.get('example') ?? ''));
+        return new Response(renamed(await template(wish.get('example')), className(name)));
+      case 'GET history':
+        return new Response(await this.histories.read(name));
+      case 'PUT history':
+        await this.histories.write(name, body);
+        return new Response('');
       case 'PUT own':
         return this.#repository.overwrite(name, body, known);
       case 'PUT draft':
@@ -182,20 +171,15 @@ export class ProgramServer {
     }
     return sources;
   }
+}
 
-  /** @param {string} name */
-  async #example(name) {
-    const answer = await fetch(`examples/${name}.java`);
-    if (!answer.ok) {
-      throw new Error(`The page has no example ${name}.`);
-    }
-    return answer.text();
+/** @param {string | null} name name of an example; null or empty for a minimal program @returns {Promise<string>} its source */
+async function template(name) {
+  const answer = await fetch(`examples/${name ? `${name}.java` : 'NewProgram.java.txt'}`);
+  if (!answer.ok) {
+    throw new Error(`The page has no example ${name}.`);
   }
-
-  /** @param {string} path @param {string} example */
-  async #newProgram(path, example) {
-    return example === '' ? shortest(className(path)) : renamed(await this.#example(example), className(path));
-  }
+  return answer.text();
 }
 
 /** @param {string | null} text @param {string} name */

@@ -16,6 +16,7 @@
  * @property {boolean} isPacked whether they are gzip-compressed
  * @property {string} notes logs and drawings of the robots during this part
  */
+import { ended, openDatabase, result } from './database.js';
 import { folderOfPage, storage } from './page-storage.js';
 
 /** Name of the database that was in use before each folder had its own. */
@@ -27,33 +28,16 @@ const NO_ROOM =
 const ENTRIES = 'recordings';
 const PIECES = 'pieces';
 
-/** @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
-const result = (request) =>
-  new Promise((done, fail) => {
-    request.onsuccess = () => done(request.result);
-    request.onerror = () => fail(request.error);
+/** @param {string} name */
+const openRecordings = (name) =>
+  openDatabase(name, (database) => {
+    database.createObjectStore(ENTRIES, { keyPath: 'id' });
+    database.createObjectStore(PIECES);
   });
-
-/** @param {IDBTransaction} transaction @returns {Promise<void>} resolves when the transaction has committed */
-const ended = (transaction) =>
-  new Promise((done, fail) => {
-    transaction.oncomplete = () => done();
-    transaction.onabort = () => fail(transaction.error ?? new Error('The browser aborted the transaction.'));
-  });
-
-/** @param {string} name @returns {Promise<IDBDatabase>} */
-function openDatabase(name) {
-  const request = indexedDB.open(name, 1);
-  request.onupgradeneeded = () => {
-    request.result.createObjectStore(ENTRIES, { keyPath: 'id' });
-    request.result.createObjectStore(PIECES);
-  };
-  return result(request);
-}
 
 /** @returns {Promise<IDBDatabase>} */
 async function open() {
-  const database = await openDatabase(`${COMMON} ${folderOfPage()}`);
+  const database = await openRecordings(`${COMMON} ${folderOfPage()}`);
   if (storage().get(MIGRATED) === null) {
     await migrateCommon(database).catch(() => {}); // if the storage is full, the next visit tries again
   }
@@ -67,7 +51,7 @@ async function open() {
  * @param {IDBDatabase} database
  */
 async function migrateCommon(database) {
-  const common = await openDatabase(COMMON);
+  const common = await openRecordings(COMMON);
   const read = (/** @type {string} */ store) => common.transaction(store).objectStore(store);
   for (const entry of await result(read(ENTRIES).getAll())) {
     const pieces = await result(read(PIECES).getAll(piecesOf(entry.id)));

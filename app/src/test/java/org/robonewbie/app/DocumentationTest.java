@@ -1,35 +1,29 @@
 package org.robonewbie.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.MatchResult;
+import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.robonewbie.app.command.RoboNewbieCommand;
+import org.robonewbie.app.page.CodeBlock;
+import org.robonewbie.app.page.Command;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.programs.ExampleCatalogue;
 
-/** What the pages say is true: code compiles, commands exist, links lead somewhere, libraries are named. */
+/** What the pages say is true: links lead somewhere, tables are complete, libraries are named. */
 class DocumentationTest {
 
-    private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+)\\R(.*?)^```");
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(#[^)]*)?\\)");
-    private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
     private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
     private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
     private static final Pattern TEST_NAME = Pattern.compile("(?:`|-Dtest=)([A-Z]\\w*Test)\\b");
@@ -38,9 +32,6 @@ class DocumentationTest {
             .map(file -> file.getFileName().toString().replace(".java", ""))
             .toList();
     private static final int MAX_LINES_OF_FIRST_PROGRAM = 12;
-
-    @TempDir
-    Path folder = Path.of("");
 
     static Stream<Path> pages() {
         return Project.pages().stream();
@@ -54,32 +45,8 @@ class DocumentationTest {
 
     @ParameterizedTest
     @MethodSource("pages")
-    void codeCompiles(Path page) throws IOException {
-        for (String code : blocks(page, "java")) {
-            assertThat(mistakesIn(code)).as("%s%n%s", page, code).isEmpty();
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("pages")
-    void commandsExist(Path page) {
-        blocks(page, "sh").stream()
-                .flatMap(String::lines)
-                .filter(line -> line.startsWith("./robonewbie"))
-                .forEach(DocumentationTest::checkCommand);
-    }
-
-    @ParameterizedTest
-    @MethodSource("pages")
     void linksLeadSomewhere(Path page) {
-        List<String> broken = LINK.matcher(Project.read(page))
-                .results()
-                .map(match -> match.group(1))
-                .filter(target -> !target.contains("://"))
-                .filter(target -> !Files.exists(page.resolveSibling(target)))
-                .toList();
-
-        assertThat(broken).as(page.toString()).isEmpty();
+        assertThat(targets(LINK, page)).as(page.toString()).allMatch(Files::exists);
     }
 
     @ParameterizedTest
@@ -93,21 +60,48 @@ class DocumentationTest {
     @ParameterizedTest
     @MethodSource("slides")
     void slidesHavePicturesAndCommandsThatExist(Path slides) {
-        String text = Project.read(slides);
-
-        assertThat(REFERENCE.matcher(text).results().map(match -> match.group(1)))
-                .allMatch(target -> Files.exists(slides.resolveSibling(target)));
+        assertThat(targets(REFERENCE, slides)).allMatch(Files::exists);
         SLIDE_CODE
-                .matcher(text)
+                .matcher(Project.read(slides))
                 .results()
-                .map(code -> code.group(1).replaceAll("\\\\\\R *", ""))
-                .filter(code -> code.startsWith("./robonewbie"))
-                .forEach(DocumentationTest::checkCommand);
+                .flatMap(code -> code.group(1).replaceAll("\\\\\\R *", "").lines())
+                .flatMap(line -> Command.of(line).stream())
+                .forEach(Command::assertValid);
+    }
+
+    @Test
+    void everyPictureIsOnAPage() throws IOException {
+        Set<Path> shown = Stream.concat(
+                        CodeBlock.pages().flatMap(page -> targets(LINK, page)),
+                        slides().flatMap(page -> targets(REFERENCE, page)))
+                .collect(Collectors.toSet());
+
+        try (Stream<Path> files = Files.walk(Project.ROOT.resolve("docs"))) {
+            assertThat(files)
+                    .filteredOn(file -> file.toString().matches(".*\\.(png|svg)"))
+                    .allMatch(shown::contains);
+        }
+    }
+
+    @Test
+    void everyScreenshotIsMadeByATest() throws IOException {
+        String tests = Project.sources("Test.java").stream().map(Project::read).collect(Collectors.joining());
+
+        try (Stream<Path> files = Files.list(Project.ROOT.resolve("docs/images"))) {
+            assertThat(files)
+                    .map(file -> file.getFileName().toString())
+                    .filteredOn(name -> name.endsWith(".png"))
+                    .allMatch(name -> tests.contains("\"docs/images/" + name + "\""));
+        }
     }
 
     @Test
     void firstProgramIsShort() {
-        String first = blocks(Project.ROOT.resolve("README.md"), "java").get(0);
+        String first = CodeBlock.on(Project.ROOT.resolve("README.md")).stream()
+                .filter(CodeBlock::isAgent)
+                .findFirst()
+                .orElseThrow()
+                .code();
 
         assertThat(first.lines()).hasSizeLessThanOrEqualTo(MAX_LINES_OF_FIRST_PROGRAM);
     }
@@ -151,42 +145,12 @@ class DocumentationTest {
         });
     }
 
-    private static void checkCommand(String line) {
-        String[] words = line.replaceFirst("\\s+#.*", "").split("\\s+", -1);
-        String[] arguments = Arrays.copyOfRange(words, 1, words.length);
-
-        assertThatCode(() -> RoboNewbieCommand.commandLine().parseArgs(arguments))
-                .as(line)
-                .doesNotThrowAnyException();
-        if (arguments.length > 1 && arguments[0].equals("run") && !arguments[1].endsWith(".java")) {
-            assertThat(ExampleCatalogue.classNames()).as(line).containsKey(arguments[1]);
-        }
-    }
-
-    /** A page shows whole files, or a few lines of a method. */
-    private String mistakesIn(String code) throws IOException {
-        List<MatchResult> classes = PUBLIC_CLASS.matcher(code).results().toList();
-        String name = classes.isEmpty() ? "Lines" : classes.get(0).group(1);
-        String whole = classes.isEmpty()
-                ? "import org.robonewbie.agent.*; import org.robonewbie.nao.*; class Lines { void run(String[] args) throws"
-                        + " Exception {\n" + code + "\n} }"
-                : code;
-        Path file = Files.writeString(folder.resolve(name + ".java"), whole);
-        var compiler = ToolProvider.getSystemJavaCompiler();
-        StringWriter mistakes = new StringWriter();
-        try (StandardJavaFileManager disk = compiler.getStandardFileManager(null, null, null)) {
-            List<String> options = List.of("-proc:none", "-d", folder.toString());
-            boolean correct = compiler.getTask(mistakes, disk, null, options, null, disk.getJavaFileObjects(file))
-                    .call();
-            return correct ? "" : mistakes.toString();
-        }
-    }
-
-    private static List<String> blocks(Path page, String language) {
-        return BLOCK.matcher(Project.read(page))
+    /** Lists the files that a page refers to. */
+    private static Stream<Path> targets(Pattern link, Path page) {
+        return link.matcher(Project.read(page))
                 .results()
-                .filter(block -> block.group(1).equals(language))
-                .map(block -> block.group(2))
-                .toList();
+                .map(match -> match.group(1))
+                .filter(target -> !target.contains("://"))
+                .map(target -> page.resolveSibling(target).normalize());
     }
 }

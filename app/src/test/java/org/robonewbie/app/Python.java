@@ -3,54 +3,62 @@ package org.robonewbie.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 
-/** Runs Python where it is installed. */
+/** Runs Python where it is installed, with the package of this project, which starts the simulator of this build. */
 public record Python(Path folder) {
 
-    /** What a program has printed, and how it ended. */
-    public record Result(int code, String printed) {}
+    /** Folder of the package. */
+    public static final Path PACKAGE = Project.ROOT.resolve("research/python");
 
     /** Skips the test, aloud, where Python or one of the packages is missing, unless all tools are required. */
     public void skipWithout(String packages) throws Exception {
+        Assumptions.assumeTrue(canRun("import " + packages), packages);
+    }
+
+    /** Returns whether Python can run these imports, and says so if it cannot. Fails instead if all tools are required. */
+    public boolean canRun(String imports) throws Exception {
         boolean usable = false;
         try {
-            usable = run(Map.of(), "-c", "import " + packages).code() == 0;
+            usable = run("-c", imports).code() == 0;
         } catch (IOException noPython) {
-            // It is told below.
+            // Reported below.
         }
-        String missing = "Python 3 with " + packages + " is not installed";
+        String missing = "Python 3 is not installed or does not know what it needs: " + imports;
         if (!usable && System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {
             throw new AssertionError(missing + ", but ROBONEWBIE_REQUIRE_TOOLS asks for it.");
         }
         if (!usable) {
-            System.out.println("SKIPPED: " + missing + ", so this test does not run.");
+            System.out.println("SKIPPED: " + missing);
         }
-        Assumptions.assumeTrue(usable, missing);
+        return usable;
     }
 
     /** Runs Python in the folder. */
-    public Result run(Map<String, String> environment, String... arguments) throws Exception {
-        Path output = Files.createTempFile("python", ".txt");
+    public ProcessResult run(String... arguments) throws Exception {
+        Path launcher = launcher();
         try {
-            ProcessBuilder builder = new ProcessBuilder("python3")
-                    .directory(folder.toFile())
-                    .redirectErrorStream(true)
-                    .redirectOutput(output.toFile());
+            ProcessBuilder builder = new ProcessBuilder("python3").directory(folder.toFile());
             builder.command().addAll(List.of(arguments));
-            builder.environment().putAll(environment);
+            builder.environment().put("PYTHONPATH", PACKAGE.toString());
+            builder.environment().put("ROBONEWBIE", launcher.toString());
             builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
-            Process process = builder.start();
-            assertThat(process.waitFor(5, TimeUnit.MINUTES)).as("Python ended").isTrue();
-            return new Result(process.exitValue(), Files.readString(output, StandardCharsets.UTF_8));
+            return ProcessResult.of(builder);
         } finally {
-            Files.delete(output);
+            Files.delete(launcher);
         }
+    }
+
+    private static Path launcher() throws IOException {
+        Path launcher = Files.createTempFile("robonewbie", ".sh");
+        Files.writeString(
+                launcher,
+                "#!/bin/sh\nexec \"" + Path.of(System.getProperty("java.home"), "bin", "java") + "\" -cp \""
+                        + System.getProperty("java.class.path") + "\" org.robonewbie.app.Main \"$@\"\n");
+        assertThat(launcher.toFile().setExecutable(true)).isTrue();
+        return launcher;
     }
 }

@@ -210,9 +210,6 @@ class FirstMinutePageTest {
     }
 
     private void picture(String theme, int width, String name) throws IOException {
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(
-                Files.createDirectories(pictures).resolve("first-minute-" + theme + "-" + width + "-" + name + ".png"),
-                browser.screenshot());
+        Picture.keep("first-minute-" + theme + "-" + width + "-" + name + ".png", browser.screenshot());
     }
 }

@@ -25,7 +25,7 @@ class HelpPageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "studio.html", "competition.html", "tutorial/", "reference.html"})
+    @ValueSource(strings = {"", "for/students.html", "studio.html", "competition.html", "tutorial/", "reference.html"})
     void pageHasNoViolationInLightAndDark(String page) throws IOException {
         try (FurnishedStudio studio = new FurnishedStudio(folder)) {
             for (String theme : new String[] {"light", "dark"}) {

@@ -121,8 +121,7 @@ class ProgramPageTest {
     }
 
     private void picture(String name) throws IOException {
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve(name + ".png"), browser.screenshot());
+        Picture.keep(name + ".png", browser.screenshot());
     }
 
     @Tag("slow")

@@ -44,8 +44,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * Takes the picture of a pass in {@code docs/team/knowing.md}, from a real match that stops when the ball begins to roll to its receiver: to
- * {@code target/pictures}, or where {@code -Dstudio.pictures=../docs/team/images} says.
+ * Takes the picture of a pass in {@code docs/team/knowing.md}, from a real match that stops when the ball begins to roll to its receiver.
  */
 @Tag("slow")
 @InBrowser(width = 960, height = 640)
@@ -95,9 +94,7 @@ class TeamPictureTest {
             BufferedImage whole = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
             BufferedImage part = whole.getSubimage(LEFT, (whole.getHeight() - HEIGHT) / 2, WIDTH, HEIGHT);
 
-            Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-            Path file = Files.createDirectories(folder).resolve("studio-pass.png");
-            ImageIO.write(part, "png", file.toFile());
+            Path file = Picture.ofDocumentation("docs/team/images/studio-pass.png", part);
             assertThat(Files.size(file)).isBetween(10_000L, 200_000L);
         }
     }

@@ -4,10 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
-import java.util.zip.CRC32;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.project.NewProject;
@@ -84,28 +82,13 @@ final class NewCommand implements Callable<Integer> {
                             + ". Create it in another folder.");
         });
         Path jar = ownJar();
-        new NewProject(folder, chosen, tool, origin, jar, versionOf(jar)).create(project);
+        new NewProject(folder, chosen, tool, origin, jar, ProgramVersion.of(jar)).create(project);
         System.out.println("Created the project " + project.toAbsolutePath() + System.lineSeparator()
                 + "Next steps: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()
                 + "or open the folder in your IDE as a " + (tool == NewProject.BuildTool.MAVEN ? "Maven" : "Gradle")
                 + " project. Its README.md explains the rest.");
         return ExitCode.OK;
-    }
-
-    /**
-     * Returns a version that identifies this jar. The version of a local build contains the jar's checksum, because
-     * Maven caches artifacts by version.
-     */
-    static String versionOf(Path jar) throws IOException {
-        String version = Optional.ofNullable(NewCommand.class.getPackage().getImplementationVersion())
-                .orElse("0");
-        if (jar.getFileName().toString().equals("robonewbie-" + version + ".jar") || !Files.isRegularFile(jar)) {
-            return version;
-        }
-        CRC32 sum = new CRC32();
-        sum.update(Files.readAllBytes(jar));
-        return version + "-built-" + Long.toHexString(sum.getValue());
     }
 
     /** Returns the jar of this program: preferably that of a local build, which has the sources beside it. */

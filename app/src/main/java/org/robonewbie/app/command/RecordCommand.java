@@ -184,7 +184,7 @@ final class RecordCommand implements Callable<Integer> {
 
     private DataSet create() {
         Map<String, String> facts = new LinkedHashMap<>();
-        facts.put("version", new RoboNewbieCommand.Version().getVersion()[0]);
+        facts.put("version", ProgramVersion.line());
         facts.put("agent", String.join(" ", agentAndOptions));
         facts.put("seconds", Double.toString(seconds));
         facts.put("first seed", Long.toString(seed));

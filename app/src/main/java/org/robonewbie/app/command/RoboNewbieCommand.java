@@ -78,7 +78,7 @@ public final class RoboNewbieCommand {
      */
     public static int run(String... arguments) {
         if (arguments.length == 1 && List.of("-V", "--version").contains(arguments[0])) {
-            System.out.println(version());
+            System.out.println(ProgramVersion.line());
             return CommandLine.ExitCode.OK;
         }
         Optional<String> unreadable = mayWrite(arguments) ? PathEncoding.problem(arguments) : Optional.empty();
@@ -207,13 +207,6 @@ public final class RoboNewbieCommand {
         }
     }
 
-    private static String version() {
-        return "RoboNewbie "
-                + Optional.ofNullable(RoboNewbieCommand.class.getPackage().getImplementationVersion())
-                        .orElse("(not packaged)")
-                + ", Java " + Runtime.version();
-    }
-
     /** Commands in one section of the help text. */
     private record Group(String title, List<Class<?>> commands) {}
 
@@ -225,7 +218,7 @@ public final class RoboNewbieCommand {
 
         @Override
         public String[] getVersion() {
-            return new String[] {version()};
+            return new String[] {ProgramVersion.line()};
         }
     }
 }

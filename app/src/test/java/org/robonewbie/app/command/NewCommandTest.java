@@ -102,12 +102,14 @@ class NewCommandTest {
     }
 
     @Test
-    void programThatWasBuiltHereHasAVersionOfItsOwn() throws IOException {
-        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
-        String first = NewCommand.versionOf(jar);
-        Files.writeString(jar, "the changed program");
+    void versionIdentifiesTheJar() throws IOException {
+        Path release = Files.writeString(folder.resolve("robonewbie-2.0.0.jar"), "the program");
+        Path built = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
 
-        assertThat(NewCommand.versionOf(jar)).contains("-built-").isNotEqualTo(first);
+        assertThat(ProgramVersion.of(release, "2.0.0", "0839a708")).isEqualTo("2.0.0");
+        assertThat(ProgramVersion.of(built, "2.0.0", "0839a708")).isEqualTo("2.0.0-0839a708");
+        assertThat(ProgramVersion.of(built, "2.0.0", "0839a708-modified")).isEqualTo("2.0.0-0839a708-modified-74fda5e");
+        assertThat(ProgramVersion.of(built, "2.0.0", "")).isEqualTo("2.0.0-built-74fda5e");
     }
 
     @Test

@@ -15,8 +15,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -24,8 +22,10 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
+import org.robonewbie.app.ProcessResult;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
+import org.robonewbie.app.page.CodeBlock;
 import org.robonewbie.programs.process.JavaCommand;
 
 class RecordCommandTest {
@@ -298,12 +298,13 @@ class RecordCommandTest {
         Printed recorded =
                 Printed.by("record", "Agent_BetterSoccer", "--runs", "4", "--seconds", "20", "--out", dataset);
         assertThat(recorded.exitCode()).as(recorded.err()).isZero();
-        Matcher sample = Pattern.compile("(?ms)^```python\\R(.*?)^```")
-                .matcher(Project.read(Project.ROOT.resolve("docs/datasets.md")));
-        assertThat(sample.find()).isTrue();
+        CodeBlock sample = CodeBlock.on(Project.ROOT.resolve("docs/datasets.md")).stream()
+                .filter(block -> block.language().equals("python"))
+                .findFirst()
+                .orElseThrow();
 
         parquet(python, "dataset");
-        Python.Result result = python.run(Map.of(), "-c", sample.group(1));
+        ProcessResult result = python.run("-c", sample.code());
 
         assertThat(result.code()).as(result.printed()).isZero();
         assertThat(result.printed())
@@ -321,8 +322,7 @@ class RecordCommandTest {
 
         parquet(python, "single");
         parquet(python, "joined");
-        Python.Result result = python.run(
-                Map.of(),
+        ProcessResult result = python.run(
                 "-c",
                 "import pandas as pd, pyarrow.parquet as pq;"
                         + " f = pq.ParquetFile('joined/parquet/cycles/run-00001-to-00003.parquet'); t = f.read();"
@@ -336,8 +336,7 @@ class RecordCommandTest {
     }
 
     private static void parquet(Python python, String set) throws Exception {
-        String packages = Project.ROOT.resolve("research/python").toString();
-        Python.Result result = python.run(Map.of("PYTHONPATH", packages), "-m", "robonewbie.parquet", set);
+        ProcessResult result = python.run("-m", "robonewbie.parquet", set);
         assertThat(result.code()).as(result.printed()).isZero();
     }
 

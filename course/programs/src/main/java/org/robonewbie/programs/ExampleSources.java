@@ -1,5 +1,9 @@
 package org.robonewbie.programs;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -9,23 +13,7 @@ import java.util.SortedMap;
 /** Source code of the examples, and templates for new programs. */
 public final class ExampleSources {
 
-    private static final String SHORTEST = """
-            import org.robonewbie.agent.Agent;
-            import org.robonewbie.nao.Joint;
-
-            public class NAME extends Agent {
-
-                public static void main(String[] args) {
-                    new NAME().run(args);
-                }
-
-                @Override
-                protected void think() {
-                    double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH);
-                    nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0);
-                }
-            }
-            """;
+    private static final String TEMPLATE = "NewProgram";
 
     private final SortedMap<String, String> classNames = ExampleCatalogue.classNames();
 
@@ -58,8 +46,18 @@ public final class ExampleSources {
      */
     public String startingWith(Path file, Optional<String> example) {
         String name = String.valueOf(file.getFileName()).replace(".java", "");
-        String text = example.map(given -> renamed(given, name)).orElse(SHORTEST.replace("NAME", name));
+        String text = example.map(given -> renamed(given, name))
+                .orElseGet(() -> template().replace(TEMPLATE, name));
         return packageOf(file).map(own -> "package " + own + ";\n\n" + text).orElse(text);
+    }
+
+    private static String template() {
+        try (InputStream stream = Objects.requireNonNull(
+                ExampleSources.class.getResourceAsStream(TEMPLATE + ".java.txt"), "There is no file " + TEMPLATE)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException("The template of new programs cannot be read", unreadable);
+        }
     }
 
     private String renamed(String example, String name) {

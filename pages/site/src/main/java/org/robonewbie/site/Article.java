@@ -55,6 +55,23 @@ final class Article {
         return new Article(source, address, document, sections(document));
     }
 
+    /** Reads one chapter of a page as a page, with the chapter's heading as its title. */
+    static Article readChapter(Path source, String title, String address) throws IOException {
+        Node document = PARSER.parse(Files.readString(source));
+        boolean isInside = false;
+        for (Node node = document.getFirstChild(), next; node != null; node = next) {
+            next = node.getNext();
+            if (node instanceof Heading heading && heading.getLevel() <= 2) {
+                isInside = text(heading).equals(title);
+                heading.setLevel(1);
+            }
+            if (!isInside) {
+                node.unlink();
+            }
+        }
+        return new Article(source, address, document, sections(document));
+    }
+
     Path source() {
         return source;
     }
@@ -65,6 +82,16 @@ final class Article {
 
     Node document() {
         return document;
+    }
+
+    /** Returns the language as in HTML. */
+    String language() {
+        return language(address);
+    }
+
+    /** Returns the language of the page at an address. */
+    static String language(String address) {
+        return address.contains("/de/") ? "de" : "en";
     }
 
     /** Returns the text of the first heading. */
@@ -129,7 +156,8 @@ final class Article {
         return text.toString().replaceAll("\\s+", " ").trim();
     }
 
-    private static String text(Node node) {
+    /** Returns the plain text of a node. */
+    static String text(Node node) {
         return TEXT.render(node).trim();
     }
 

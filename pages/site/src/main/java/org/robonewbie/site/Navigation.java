@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -11,11 +12,10 @@ import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Heading;
 import org.commonmark.node.Link;
 import org.commonmark.node.Node;
-import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
- * Table of contents. The start page defines chapters by its headings and pages by its links; other pages of a folder are nested below the
- * folder's first page.
+ * Table of contents. The start page defines chapters by its headings, one for each kind of reader, and pages by its links; other pages of a
+ * folder are nested below the folder's first page.
  */
 final class Navigation {
 
@@ -26,12 +26,26 @@ final class Navigation {
     }
 
     /**
-     * A group of pages.
+     * The pages for one kind of reader.
      *
      * @param title the heading
      * @param entries the pages
      */
-    record Chapter(String title, List<Entry> entries) {}
+    record Chapter(String title, List<Entry> entries) {
+
+        /** Returns the address of the page that shows this chapter only. */
+        String address() {
+            return "for/" + title.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-") + ".html";
+        }
+
+        /** Returns the pages in reading order. */
+        List<Article> order() {
+            return entries.stream()
+                    .flatMap(entry -> Stream.concat(Stream.of(entry.article()), entry.below().stream()))
+                    .distinct()
+                    .toList();
+        }
+    }
 
     /**
      * A page in a chapter.
@@ -46,7 +60,7 @@ final class Navigation {
         List<Chapter> chapters = new ArrayList<>();
         for (Node node = start.document().getFirstChild(); node != null; node = node.getNext()) {
             if (node instanceof Heading heading && heading.getLevel() == 2) {
-                chapters.add(new Chapter(title(heading), new ArrayList<>()));
+                chapters.add(new Chapter(Article.text(heading), new ArrayList<>()));
             } else if (!chapters.isEmpty()) {
                 List<Entry> entries = chapters.get(chapters.size() - 1).entries();
                 linked(node, start, articles)
@@ -60,18 +74,17 @@ final class Navigation {
         return chapters;
     }
 
-    /** Returns all pages in reading order. */
-    List<Article> order() {
+    /** Returns the first chapter with an article. */
+    Optional<Chapter> chapterOf(Article article) {
         return chapters.stream()
-                .flatMap(chapter -> chapter.entries().stream())
-                .flatMap(entry -> Stream.concat(Stream.of(entry.article()), entry.below().stream()))
-                .distinct()
-                .toList();
+                .filter(chapter -> chapter.address().equals(article.address())
+                        || chapter.order().contains(article))
+                .findFirst();
     }
 
-    /** Returns the page at an offset from an article in reading order, such as −1 for the previous page. */
+    /** Returns the page at an offset from an article in the reading order of its chapter, such as −1 for the previous page. */
     Optional<Article> neighbour(Article article, int steps) {
-        List<Article> order = order();
+        List<Article> order = chapterOf(article).map(Chapter::order).orElse(List.of());
         int index = order.indexOf(article) + steps;
         boolean exists = order.contains(article) && index >= 0 && index < order.size();
         return exists ? Optional.of(order.get(index)) : Optional.empty();
@@ -100,9 +113,5 @@ final class Navigation {
                 .filter(article -> article.address().indexOf('/', folder.length()) < 0)
                 .sorted(Comparator.comparing(Article::address))
                 .toList();
-    }
-
-    private static String title(Heading heading) {
-        return TextContentRenderer.builder().build().render(heading).trim();
     }
 }

@@ -7,6 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -19,7 +21,13 @@ import java.util.stream.Stream;
  */
 public final class SiteBuilder {
 
-    private static final List<String> ASSETS = List.of("site.css", "print.css", "site.js");
+    private static final List<String> ASSETS = List.of(
+            "site.css",
+            "print.css",
+            "site.js",
+            "search.js",
+            "vendor/minisearch/minisearch.js",
+            "vendor/minisearch/LICENSE");
 
     private final Path root;
     private final String version;
@@ -46,7 +54,9 @@ public final class SiteBuilder {
     public static void main(String[] arguments) throws IOException {
         Path root = Path.of(arguments[0]).toAbsolutePath().normalize();
         Path site = Path.of(arguments[1]);
-        new SiteBuilder(root, arguments[2]).build(site);
+        String commit = Commit.of(root);
+        new SiteBuilder(root, arguments[2] + (commit.isEmpty() ? "" : " (" + commit + ")")).build(site);
+        write(site, "commit.txt", commit);
         if (arguments.length > 3) {
             new ApiPages(root, arguments[2]).build(site);
         }
@@ -63,27 +73,35 @@ public final class SiteBuilder {
         Map<Path, Article> articles = articles();
         Article start = Objects.requireNonNull(articles.get(root.resolve("docs/README.md")), "docs/README.md");
         Navigation navigation = Navigation.of(start, articles);
+        List<Article> pages = new ArrayList<>(articles.values());
+        for (Navigation.Chapter chapter : navigation.chapters()) {
+            pages.add(Article.readChapter(start.source(), chapter.title(), chapter.address()));
+        }
         Links links = new Links(addresses, articles);
-        articles.values().forEach(links::translate);
+        pages.forEach(links::translate);
         if (!links.broken().isEmpty()) {
             throw new BrokenLinksException(links.broken());
         }
         PageFrame frame = new PageFrame(resource("page.html"), version, navigation);
-        for (Article article : articles.values()) {
-            write(site, article.address(), frame.around(article));
+        for (Article page : pages) {
+            write(site, page.address(), frame.around(page));
         }
         writeFiles(site, links, frame);
         for (String asset : ASSETS) {
             write(site, asset, resource(asset));
         }
-        write(site, "search-index.js", searchIndex(articles));
+        write(site, "search-index.js", searchIndex(articles.values(), navigation));
     }
 
     private Map<Path, Article> articles() throws IOException {
         List<Path> files;
         try (Stream<Path> atRoot = Files.list(root);
                 Stream<Path> docs = Files.walk(root.resolve("docs"))) {
-            files = Stream.of(atRoot, docs, Stream.of(root.resolve("research/python/README.md")))
+            files = Stream.of(
+                            atRoot,
+                            docs,
+                            Stream.of("research/python/README.md", "release/README.md")
+                                    .map(root::resolve))
                     .flatMap(stream -> stream)
                     .filter(file -> file.toString().endsWith(".md") && Files.isRegularFile(file))
                     .sorted()
@@ -116,14 +134,20 @@ public final class SiteBuilder {
      * Returns one entry per section, as a script rather than JSON because pages opened from a folder can load only
      * scripts.
      */
-    private static String searchIndex(Map<Path, Article> articles) {
-        List<Map<String, String>> sections = articles.values().stream()
+    private static String searchIndex(Collection<Article> articles, Navigation navigation) {
+        List<Map<String, String>> sections = articles.stream()
                 .flatMap(article -> article.sections().stream()
                         .map(section -> Map.of(
                                 "address", article.address() + "#" + section.anchor(),
                                 "page", article.title(),
                                 "title", section.title(),
-                                "text", section.text())))
+                                "text", section.text(),
+                                "language", article.language(),
+                                "part",
+                                        navigation
+                                                .chapterOf(article)
+                                                .map(Navigation.Chapter::title)
+                                                .orElse(""))))
                 .map(TreeMap::new)
                 .<Map<String, String>>map(entry -> entry)
                 .toList();

@@ -95,12 +95,31 @@ class SiteBuilderTest {
     }
 
     @Test
+    void pageOfAReaderListsOnlyItsChapter() throws IOException {
+        page(
+                "docs/README.md",
+                "# Start\n\n## Students\n\n[Walk](lessons/README.md)\n\n## Teachers\n\n[Rules](rules.md)\n");
+
+        build(project);
+
+        assertThat(read("for/students.html"))
+                .contains("<h1 id=\"students\">Students</h1>", "<a href=\"../lessons/index.html\">Walk</a>")
+                .contains("<a href=\"../index.html\">All documentation</a>")
+                .doesNotContain("Rules", "Teachers");
+        assertThat(read("lessons/1-step.html"))
+                .contains("<a href=\"../for/students.html\">Students</a>", "data-part=\"Students\"")
+                .doesNotContain("Rules");
+        assertThat(read("index.html")).contains("<section><h2 id=\"students\">", "Rules", "for/teachers.html");
+    }
+
+    @Test
     void searchIndexHasEverySection() throws IOException {
         build(project);
 
         assertThat(read("search-index.js"))
                 .startsWith("globalThis.searchIndex = [")
-                .contains("\"address\":\"lessons/1-step.html#one-step-more\"");
+                .contains("\"address\":\"lessons/1-step.html#one-step-more\",\"language\":\"en\"")
+                .contains("\"part\":\"Learn\"");
     }
 
     @Test

@@ -120,6 +120,19 @@ class AccessibilityPageTest {
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})
+    void historyOfAProgramHasNoViolation(String theme) {
+        visit(theme, "#program", PROGRAM_IS_THERE);
+        browser.click("#program-save");
+        browser.await("document.querySelector('#program-save').disabled");
+        browser.evaluate("studio.rooms.program.editor.replace('int angle = 3;')");
+        browser.click("#program-history");
+        browser.await("document.querySelector('#versions')");
+        assertClean("History");
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
     void dialogsOfAnEditorHaveNoViolation(String theme) {
         visit(theme, "#motion/mine", MOTION_IS_THERE);
         browser.click("#timeline-curves");

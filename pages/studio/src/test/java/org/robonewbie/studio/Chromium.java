@@ -30,7 +30,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
             """;
 
     /** Keys that the browser handles itself. */
-    private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13);
+    private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13, "ArrowDown", 40);
 
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
             "context was destroyed|Cannot find (default execution )?context|navigated or closed|Promise was collected");
@@ -383,7 +383,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
     }
 
     private void noteRequest(String address) {
-        if (!address.matches("(http://127\\.0\\.0\\.1:|data:|blob:|about:).*")) {
+        if (!address.matches("(http://127\\.0\\.0\\.1:|file:|data:|blob:|about:).*")) {
             complaints.add("asked for " + address);
         }
     }

@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -163,15 +162,18 @@ class CoursePageTest {
     }
 
     @Tag("slow")
+    @Tag("picture")
     @Test
     void takesScreenshotOfTheExercises() throws IOException {
+        studio.close();
+        StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
         browser.drawSharply();
         visit("high");
         startAttempt();
 
         browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve("studio-exercises.png"), browser.screenshot());
+        Picture.ofDocumentation("docs/images/studio-exercises.png", browser.screenshot());
         assertThat(browser.complaints()).isEmpty();
     }
 

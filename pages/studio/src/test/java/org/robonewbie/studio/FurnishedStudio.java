@@ -3,26 +3,19 @@ package org.robonewbie.studio;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.simulator.file.RecordingRepository;
 
 /** A studio with content in each room: a robot on the pitch, a motion, a recording, a course, and programs. */
 final class FurnishedStudio implements AutoCloseable {
 
-    private static final int SHELF_BYTES = 10_000_000;
-
     private final TestSimulator simulation = new TestSimulator().withRobot();
-    private final ShownSimulation shown = new ShownSimulation(simulation.control());
-    private final SmallCourse course = new SmallCourse(shown, simulation.control());
-    private final StudioServer studio;
+    private final WholeStudio studio;
 
     /** Starts the studio with its files in a folder: a recording named game and a motion named mine. */
     FurnishedStudio(Path folder) throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
-        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
+        studio = new WholeStudio(simulation.control(), folder);
     }
 
     /** Pauses the world, in which otherwise something always moves. */
@@ -33,7 +26,7 @@ final class FurnishedStudio implements AutoCloseable {
 
     /** A new address of the page, to which options and the room can be appended. */
     String oneTimeAddress() {
-        return studio.oneTimeAddress().toString();
+        return studio.oneTimeAddress();
     }
 
     TestSimulator simulation() {
@@ -43,7 +36,6 @@ final class FurnishedStudio implements AutoCloseable {
     @Override
     public void close() {
         studio.close();
-        course.close();
         simulation.close();
     }
 }

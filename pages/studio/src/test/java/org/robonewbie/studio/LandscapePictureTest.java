@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.IntPredicate;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
@@ -18,12 +18,15 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.landscape.Landscape;
 
 /**
- * Takes a screenshot of each world without soccer and checks that its objects are visible. Screenshots are written to {@code
- * target/pictures}; {@code -Dstudio.pictures=../../docs/images} writes them to the documentation.
+ * Takes a screenshot of each world without soccer and checks that its objects are visible.
  */
 @Tag("slow")
+@Tag("picture")
 @InBrowser(width = 960, height = 540)
 class LandscapePictureTest {
+
+    @TempDir
+    private Path folder;
 
     private final Chromium browser;
 
@@ -33,27 +36,27 @@ class LandscapePictureTest {
 
     @Test
     void obstaclesAreOnThePitch() throws IOException {
-        BufferedImage picture = take(Landscape.OBSTACLES, 1.1, -3.0, 1.1);
+        BufferedImage picture = take("docs/images/scene-obstacles.png", Landscape.OBSTACLES, 1.1, -3.0, 1.1);
 
         assertThat(share(picture, LandscapePictureTest::isCardboard)).isGreaterThan(0.02);
     }
 
     @Test
     void slopeAndStepsAreOnThePitch() throws IOException {
-        BufferedImage picture = take(Landscape.SLOPE, 0, -4.6, 0);
+        BufferedImage picture = take("docs/images/scene-slope.png", Landscape.SLOPE, 0, -4.6, 0);
 
         assertThat(share(picture, LandscapePictureTest::isGrey)).isGreaterThan(0.05);
     }
 
     @Test
     void boxIsOnThePitch() throws IOException {
-        BufferedImage picture = take(Landscape.BOX, 0.45, -3.6, -0.45);
+        BufferedImage picture = take("docs/images/scene-box.png", Landscape.BOX, 0.45, -3.6, -0.45);
 
         assertThat(share(picture, LandscapePictureTest::isCardboard)).isGreaterThan(0.02);
     }
 
     /** Places a robot at x and the first y, and a second one at the other y if it differs. */
-    private BufferedImage take(Landscape landscape, double y, double x, double otherY) throws IOException {
+    private BufferedImage take(String file, Landscape landscape, double y, double x, double otherY) throws IOException {
         browser.drawSharply();
         try (TestSimulator simulation =
                 new TestSimulator(landscape).withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, x, y, 0, Posture.STANDING)) {
@@ -63,7 +66,7 @@ class LandscapePictureTest {
             simulation.order(new Order.MoveBall(new Vector3(-0.8, 0, 0.042), Vector3.ZERO));
             simulation.afterCycles(100);
             simulation.order(new Order.Pause());
-            try (StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
+            try (WholeStudio studio = new WholeStudio(simulation.control(), folder)) {
                 browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.view.things.group.children.length === "
                         + landscape.things().size() + " && studio.state.frame");
@@ -73,8 +76,7 @@ class LandscapePictureTest {
                                 + " distance: 4.6}); studio.touch()");
                 browser.await("studio.camera.isStill");
                 byte[] png = browser.screenshot();
-                Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-                Files.write(Files.createDirectories(folder).resolve("scene-" + landscape.name() + ".png"), png);
+                Picture.ofDocumentation(file, png);
                 return ImageIO.read(new ByteArrayInputStream(png));
             }
         }

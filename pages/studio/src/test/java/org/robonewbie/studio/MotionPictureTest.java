@@ -6,16 +6,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Follows {@code docs/first-motion.md} and takes its screenshots: to {@code target/pictures}, or to the folder of {@code
- * -Dstudio.pictures=../../docs/images}.
+ * Follows {@code docs/first-motion.md} and takes its screenshots.
  */
 @Tag("slow")
+@Tag("picture")
 class MotionPictureTest {
 
     private static final String STATE = "studio.motion.editor.state";
@@ -31,23 +30,15 @@ class MotionPictureTest {
             Files.writeString(folder.resolve(name + ".txt"), "// still empty\n");
         }
         try (TestSimulator simulation = new TestSimulator().withRobot();
-                StudioServer studio = StudioServer.start(
-                        simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+                WholeStudio studio = new WholeStudio(simulation.control(), folder);
                 Chromium browser = Chromium.open(1366, 768)) {
             browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#motion/wave");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && studio.motion.editor.marks");
-            show(browser, 2);
-            save(browser, "studio-motion.png");
-            browser.evaluate("document.querySelector('#theme-button').click()");
-            show(browser, 2);
-            save(browser, "studio-motion-dark.png");
-            browser.evaluate("document.querySelector('#theme-button').click()");
-
             browser.click("#new-motion");
             browser.await(FRAMES + ".length === 1");
             turn(browser, "LEFT_SHOULDER_YAW", 60);
             show(browser, 0);
-            save(browser, "first-motion-1.png");
+            Picture.ofDocumentation("docs/images/first-motion-1.png", browser.screenshot());
             for (int angle : List.of(20, 70)) {
                 browser.click("#insert");
                 turn(browser, "LEFT_SHOULDER_PITCH", 60);
@@ -55,12 +46,12 @@ class MotionPictureTest {
             }
             browser.await(FRAMES + ".length === 3");
             show(browser, 1);
-            save(browser, "first-motion-2.png");
+            Picture.ofDocumentation("docs/images/first-motion-2.png", browser.screenshot());
             browser.click("#trial");
             browser.await(STATE + ".trial && !" + STATE + ".playing");
             browser.evaluate("studio.motion.editor.apply(state => ({...state, time: 1500}))");
             browser.await("!studio.motion.stale && document.querySelector('#toast').hidden");
-            save(browser, "first-motion-3.png");
+            Picture.ofDocumentation("docs/images/first-motion-3.png", browser.screenshot());
 
             assertThat(browser.complaints()).isEmpty();
         }
@@ -77,10 +68,5 @@ class MotionPictureTest {
         browser.evaluate("import('./state/motion/editor-state.js').then(({ selected }) =>"
                 + " studio.motion.editor.apply(state => selected(state, " + keyframe + ")))");
         browser.await("!studio.motion.stale && document.querySelector('#toast').hidden");
-    }
-
-    private static void save(Chromium browser, String name) throws IOException {
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }
 }

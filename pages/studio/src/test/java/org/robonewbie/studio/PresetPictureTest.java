@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonElement;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.StreamSupport;
@@ -77,8 +76,7 @@ class PresetPictureTest {
         browser.await("studio.state.scene.robots.length === 1 && (" + isThere + ")");
         browser.evaluate("studio.workspace.markMore()");
 
-        Path pictures = Files.createDirectories(Path.of("target/pictures"));
-        Files.write(pictures.resolve(preset + "-" + width + "-" + theme + ".png"), browser.screenshot());
+        Picture.keep(preset + "-" + width + "-" + theme + ".png", browser.screenshot());
         assertThat(cutOff()).as(preset + " at " + width + ", " + theme).isEmpty();
     }
 

@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -194,8 +193,7 @@ class PuppetPageTest {
         field.addPuppet();
         raiseTheArm();
 
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve("studio-puppet.png"), browser.screenshot());
+        Picture.keep("studio-puppet.png", browser.screenshot());
         assertThat(browser.complaints()).isEmpty();
     }
 

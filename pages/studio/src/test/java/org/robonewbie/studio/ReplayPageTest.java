@@ -353,16 +353,18 @@ class ReplayPageTest {
     }
 
     @Tag("slow")
+    @Tag("picture")
     @Test
     void takesScreenshotOfTheReplay() throws IOException {
         browser.drawSharply();
-        browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#replay/game");
-        browser.await("studio.replay?.file?.isWhole");
-        browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
-        browser.await("studio.camera.isStill && " + STATE + ".index === " + STATE + ".count - 1"
-                + " && document.querySelector('#toast').hidden");
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve("studio-replay.png"), browser.screenshot());
+        try (WholeStudio whole = new WholeStudio(simulation.control(), place)) {
+            browser.visit(whole.oneTimeAddress() + "&quality=high&theme=light#replay/game");
+            browser.await("studio.replay?.file?.isWhole");
+            browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
+            browser.await("studio.camera.isStill && " + STATE + ".index === " + STATE + ".count - 1"
+                    + " && document.querySelector('#toast').hidden");
+            Picture.ofDocumentation("docs/images/studio-replay.png", browser.screenshot());
+        }
 
         assertThat(number("document.documentElement.scrollWidth")).isEqualTo(1366);
     }

@@ -68,10 +68,7 @@ class ReplayVideoTest {
                         "new Promise((done) => { const reader = new FileReader();"
                                 + " reader.onload = () => done(reader.result.split(',')[1]); reader.readAsDataURL(window.given); })")
                 .getAsString();
-        Path kept = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(
-                Files.createDirectories(kept).resolve("replay.webm"),
-                Base64.getDecoder().decode(content));
+        Picture.keep("replay.webm", Base64.getDecoder().decode(content));
         Path page = Files.writeString(
                 place.resolve("video.html"),
                 "<!doctype html><video muted src=\"data:video/webm;base64," + content + "\"></video>");

@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -11,6 +10,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -201,12 +201,13 @@ class RobotPageTest {
     }
 
     @Tag("slow")
+    @Tag("picture")
     @Test
-    void takesScreenshotOfTheRoom() throws IOException {
+    void takesScreenshotOfTheRoom(@TempDir Path folder) throws IOException {
         browser.drawSharply();
         try (PlayingRobot robot = PlayingRobot.start();
-                StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
-            browser.visit(other.oneTimeAddress() + "&quality=lowest&theme=light#robot");
+                WholeStudio other = new WholeStudio(robot.simulator().control(), folder)) {
+            browser.visit(other.oneTimeAddress() + "&quality=high&theme=light#robot");
             browser.await("document.querySelectorAll('.plot canvas').length === 3");
             browser.await(
                     "document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
@@ -232,14 +233,14 @@ class RobotPageTest {
             other.telemetry().accept(new TelemetryMessage("Stars", 1, 1, motion));
             other.telemetry().accept(new TelemetryMessage("Stars", 1, now, belief));
             browser.await("document.querySelectorAll('.map .belief-self').length === 1");
-            picture("studio-robot.png");
+            Picture.ofDocumentation("docs/images/studio-robot.png", browser.screenshot());
 
             browser.press("m");
             browser.await("document.querySelector('#perceptor-message').textContent.includes('(GYR (n torso)')");
             browser.fill("#message-search", "lae1");
             browser.await("!document.querySelector('#perceptor-message').textContent.includes('GYR')"
                     + " && document.querySelector('#effector-message').textContent.includes('(lae1 9.5)')");
-            picture("studio-robot-messages.png");
+            Picture.keep("studio-robot-messages.png", browser.screenshot());
         }
 
         assertThat(browser.evaluate("document.documentElement.scrollWidth").getAsInt())
@@ -249,11 +250,6 @@ class RobotPageTest {
 
     private double now() {
         return browser.evaluate("studio.state.frame.cycle * 0.02").getAsDouble();
-    }
-
-    private void picture(String name) throws IOException {
-        Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
     }
 
     @Tag("slow")

@@ -139,6 +139,7 @@ class SearchPageTest {
         browser.forgetComplaints();
     }
 
+    @Tag("picture")
     @Test
     void takesScreenshotOfThePage() throws IOException {
         browser.drawSharply();
@@ -149,10 +150,9 @@ class SearchPageTest {
             browser.await("document.querySelectorAll('.number').length === 12");
             assertThat(browser.evaluate("document.documentElement.scrollWidth").getAsInt())
                     .isEqualTo(1366);
-            Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-            String name = theme.equals("light") ? "studio-optimise.png" : "studio-optimise-dark.png";
-            Files.write(Files.createDirectories(pictures).resolve(name), browser.screenshot());
+            Picture.keep("studio-optimise-" + theme + ".png", browser.screenshot());
         }
+        Picture.ofDocumentation("docs/images/studio-optimise.png", browser.screenshot());
         assertThat(browser.complaints()).isEmpty();
     }
 

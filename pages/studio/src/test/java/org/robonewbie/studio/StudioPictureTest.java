@@ -5,22 +5,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.IntPredicate;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 
 /**
- * Takes the screenshot of the README and checks its content. The screenshot is written to {@code target/pictures};
- * {@code -Dstudio.pictures=../../docs/images} writes it to the documentation.
+ * Takes the screenshot of the README and checks its content.
  */
 @Tag("slow")
+@Tag("picture")
 class StudioPictureTest {
 
     private static final int WIDTH = 1280;
@@ -28,14 +28,16 @@ class StudioPictureTest {
     private static final String VIEW = "studio.camera.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
             + " elevationDegrees: 9.5, distance: 1.68}); studio.touch()";
 
+    @TempDir
+    private Path folder;
+
     @Test
     void takesScreenshotOfTheField() throws IOException {
         Tool.BROWSER.orSkip();
 
         byte[] png = takePicture();
 
-        Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-        Files.write(Files.createDirectories(folder).resolve("studio-field.png"), png);
+        Picture.ofDocumentation("docs/images/studio-field.png", png);
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png));
         assertThat(picture.getWidth()).isEqualTo(WIDTH);
         assertThat(picture.getHeight()).isEqualTo(HEIGHT);
@@ -45,7 +47,7 @@ class StudioPictureTest {
         assertThat(share(picture, StudioPictureTest::isDark)).as("joints").isGreaterThan(0.004);
     }
 
-    private static byte[] takePicture() throws IOException {
+    private byte[] takePicture() throws IOException {
         try (TestSimulator simulation = new TestSimulator()
                         .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -3.42, 0.1, -4, Posture.GREETING)
                         .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, -4.7, 1.45, -60, Posture.STANDING);
@@ -53,7 +55,7 @@ class StudioPictureTest {
             simulation.order(new Order.MoveBall(new Vector3(-3.0, -0.16, 0.042), Vector3.ZERO));
             simulation.afterCycles(150);
             simulation.order(new Order.Pause());
-            try (StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
+            try (WholeStudio studio = new WholeStudio(simulation.control(), folder)) {
                 browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
                 browser.click("#first-steps button");

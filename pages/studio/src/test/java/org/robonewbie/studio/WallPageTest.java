@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.URI;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -141,9 +140,7 @@ class WallPageTest {
             awaitBall("scoring-Blue", 0);
             assertThat(browser.evaluate("document.documentElement.scrollWidth").getAsInt())
                     .isEqualTo(1366);
-            Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
-            Files.write(
-                    Files.createDirectories(pictures).resolve("studio-wall-" + theme + ".png"), browser.screenshot());
+            Picture.keep("studio-wall-" + theme + ".png", browser.screenshot());
         }
     }
 

@@ -100,6 +100,24 @@ class KeptWorkPageTest {
     }
 
     @Test
+    void savedVersionIsRestoredAfterAReload() {
+        open(chromium, "#program");
+        for (String text : new String[] {"// first", "// second"}) {
+            chromium.evaluate(EDITOR + ".replace('" + text + "')");
+            chromium.click("#program-save");
+            chromium.await(texts() + ".includes('file:MyAgent.java=" + text + "')");
+        }
+
+        open(chromium, "#program");
+        chromium.click("#program-history");
+        chromium.await("document.querySelector('#versions').options.length === 2");
+        chromium.click("#restore-version");
+
+        chromium.await(texts() + ".includes('file:MyAgent.java=// first')");
+        assertThat(chromium.evaluate(EDITOR + ".text").getAsString()).isEqualTo("// first");
+    }
+
+    @Test
     void damagedLinkIsReportedAndChangesNothing() {
         open(chromium, "#program");
         String before = all(chromium);

@@ -25,6 +25,7 @@ import org.robonewbie.studio.file.RefusedException;
  * GET              /api/programs/example/NAME
  * GET              /api/programs/new/PATH?example=NAME    the source of a new program
  * GET PUT DELETE   /api/programs/draft/PATH
+ * GET PUT          /api/programs/history/PATH       saved versions, a JSON array; the pages decide which ones to keep
  * POST             /api/programs/check/PATH         body: text of the editor; returns the compiler's diagnostics
  * POST             /api/programs/complete/PATH?at=N body: text of the editor; returns completion proposals
  * POST             /api/programs/run/PATH?world=keep    compiles the saved file and replaces the running program
@@ -36,9 +37,12 @@ public final class ProgramApi extends ApiHandler {
     private static final String PROGRAMS = "/api/programs";
     private static final Pattern PLACE = Pattern.compile("/(\\w+)(?:/(.*))?");
     private static final Gson GSON = new Gson();
+    private static final int MAX_HISTORY_BYTES = 4 << 20;
+    private static final byte[] NO_HISTORY = {'[', ']'};
 
     private final ProgramFolder folder;
     private final ProgramFolder drafts;
+    private final ProgramFolder histories;
     private final Optional<CompilerService> compiler;
     private final Optional<ProgramService> service;
 
@@ -51,7 +55,9 @@ public final class ProgramApi extends ApiHandler {
     public ProgramApi(Optional<CompilerService> compiler, Arena arena) {
         Path folder = compiler.map(CompilerService::folder).orElse(Path.of(""));
         this.folder = new ProgramFolder(folder);
-        this.drafts = new ProgramFolder(folder.resolve(".studio").resolve("programs"));
+        Path studio = folder.resolve(".studio");
+        this.drafts = new ProgramFolder(studio.resolve("programs"));
+        this.histories = new ProgramFolder(studio.resolve("history"), MAX_HISTORY_BYTES, ".json");
         this.compiler = compiler;
         this.service = compiler.map(given -> new ProgramService(given, arena));
     }
@@ -84,7 +90,7 @@ public final class ProgramApi extends ApiHandler {
         String name = matcher.group(2) == null ? "" : PathPart.decode(matcher.group(2));
         String order = request.getMethod() + " " + matcher.group(1);
         return switch (matcher.group(1)) {
-            case "own", "draft" -> fileAnswer(request, order, name);
+            case "own", "draft", "history" -> fileAnswer(request, order, name);
             case "run" -> runAnswer(request, order, name);
             default -> workshopAnswer(compiler.get(), request, order, name);
         };
@@ -99,12 +105,17 @@ public final class ProgramApi extends ApiHandler {
         return switch (order) {
             case "GET own" -> Answer.file(found(folder.read(path), path));
             case "GET draft" -> Answer.file(found(drafts.read(path), path));
+            case "GET history" -> Answer.file(histories.read(path).orElse(NO_HISTORY));
             case "PUT own" -> {
                 String version = folder.write(path, body(request), knownVersion(request));
                 drafts.remove(path, version); // another window may hold a different draft
                 yield Answer.written(version);
             }
             case "PUT draft" -> Answer.written(drafts.writeIfKnown(path, body(request), knownVersion(request)));
+            case "PUT history" -> {
+                histories.overwrite(path, body(request, MAX_HISTORY_BYTES, "A history"));
+                yield Answer.done();
+            }
             case "DELETE draft" -> {
                 drafts.remove(path, knownVersion(request));
                 yield Answer.done();

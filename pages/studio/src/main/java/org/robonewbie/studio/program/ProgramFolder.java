@@ -34,8 +34,16 @@ final class ProgramFolder extends PageFolder {
     private static final Pattern PATH = Pattern.compile(
             "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + MAX_DEPTH + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
+    private final String suffix;
+
     ProgramFolder(Path folder) {
-        super(folder, MAX_BYTES);
+        this(folder, MAX_BYTES, "");
+    }
+
+    /** Provides access to files that belong to programs: each one is named after its program, with a suffix. */
+    ProgramFolder(Path folder, int maxBytes, String suffix) {
+        super(folder, maxBytes);
+        this.suffix = suffix;
     }
 
     /** Returns all files in alphabetical order, those directly in the folder first. */
@@ -98,7 +106,7 @@ final class ProgramFolder extends PageFolder {
                     400,
                     "\"" + path + "\" is not a valid program name. Use letters, digits and _, such as MyAgent.java.");
         }
-        Path file = folder().resolve(path);
+        Path file = folder().resolve(path + suffix);
         for (Path each = file; !each.equals(folder()); each = Objects.requireNonNull(each.getParent())) {
             if (Files.exists(each) && !each.toRealPath().startsWith(folder().toRealPath())) {
                 throw new RefusedException(403, "\"" + path + "\" is a link to a place outside " + folder() + ".");

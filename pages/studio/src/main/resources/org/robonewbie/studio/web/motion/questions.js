@@ -58,7 +58,7 @@ function opened({ title, label, action, hint }, field, problem) {
       accept,
     ),
   );
-  const dialog = shown(title, form);
+  const dialog = showDialog(title, form);
   field.addEventListener('input', () => {
     wrong.textContent = problem();
     accept.disabled = wrong.textContent !== '';
@@ -74,8 +74,8 @@ function opened({ title, label, action, hint }, field, problem) {
   });
 }
 
-/** @param {string} title @param {HTMLElement} content */
-function shown(title, content) {
+/** Shows a modal dialog. @param {string} title @param {HTMLElement} content */
+export function showDialog(title, content) {
   const dialog = element('dialog', { class: 'question', 'aria-label': title }, content);
   document.body.append(dialog);
   dialog.addEventListener('close', () => dialog.remove());
@@ -107,7 +107,7 @@ export function showFindings(title, text, places) {
     element('ul', { class: 'places' }, ...rows),
     element('div', { class: 'dialog-buttons' }, close),
   );
-  const dialog = shown(title, content);
+  const dialog = showDialog(title, content);
 }
 
 /** @param {string} value @returns {Promise<string | undefined>} */

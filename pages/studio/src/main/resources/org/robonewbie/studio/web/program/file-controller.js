@@ -139,6 +139,7 @@ export class FileController {
       const text = { ...file.source, encoding, content };
       this.file = opened('own', file.path, { text, version, problem: '' });
       this.drafts.saved();
+      this.room.history.keep(file, this.file.saved);
       if (file.version === '') {
         this.#showNote('', []);
       }
@@ -193,6 +194,7 @@ export class FileController {
     this.choice.title = `${list.folder}`;
     this.saveButton.disabled = !isUnsaved(file, this.editor.text);
     this.room.runs.draw();
+    this.room.history.draw();
   }
 
   /** @param {string} value kind of program and its path or name, separated by a space */

@@ -7,6 +7,7 @@ import { CodeEditor } from './code-editor.js';
 import { ExerciseController } from './exercise-controller.js';
 import { FileController } from './file-controller.js';
 import { FirstMinute } from './first-minute.js';
+import { HistoryController } from './history-controller.js';
 import { ProgramService } from './program-service.js';
 import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
@@ -55,6 +56,7 @@ class ProgramRoom {
     this.said = new SaidPanel(said, (line) => this.editor.goTo(line));
     this.files = new FileController(this);
     this.runs = new RunController(this);
+    this.history = new HistoryController(this);
     this.exercises = new ExerciseController(this);
     this.firstMinute = new FirstMinute(this);
   }

@@ -2,6 +2,7 @@
 
 import { ask } from '../live/server.js';
 import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
+import { versionsFrom } from '../state/program/versions.js';
 
 /**
  * @typedef {{path: string, version: string}} ListedFile
@@ -19,6 +20,7 @@ import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
  * @typedef {import('../state/course.js').Lesson} Lesson
  * @typedef {import('../state/course.js').Attempt} Attempt
  * @typedef {import('../state/program/documents.js').ReadProgram} ReadProgram
+ * @typedef {import('../state/program/versions.js').Version} Version
  * @typedef {{label: string, detail: string, kind: string, insert: string, documentation: string}} Proposal
  */
 
@@ -81,6 +83,16 @@ export class ProgramService {
   /** @param {string} path @param {string} known version to remove; any other is kept */
   async removeDraft(path, known) {
     await ask(`programs/draft/${escaped(path)}`, { method: 'DELETE', headers: { 'Known-Version': known } });
+  }
+
+  /** @param {string} path @returns {Promise<Version[]>} its saved versions, oldest first */
+  async history(path) {
+    return versionsFrom(await (await ask(`programs/history/${escaped(path)}`)).json());
+  }
+
+  /** @param {string} path @param {Version[]} versions */
+  async writeHistory(path, versions) {
+    await ask(`programs/history/${escaped(path)}`, { method: 'PUT', body: JSON.stringify(versions) });
   }
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */

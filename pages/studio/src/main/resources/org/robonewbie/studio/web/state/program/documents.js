@@ -18,6 +18,7 @@
  * @typedef {import('../course.js').Lesson} Lesson
  */
 import { UTF_8 } from '../decoded-text.js';
+import { commonLines } from './line-diff.js';
 import { fileName } from './remarks.js';
 
 /** Storage key of the program opened last. */
@@ -56,23 +57,18 @@ export function normal(text) {
  */
 export function written(file, text) {
   const parts = file.content.split(/(\r\n|\r|\n)/);
-  const before = parts.flatMap((line, i) => (i % 2 === 0 ? [{ line, end: parts[i + 1] ?? '' }] : []));
+  const before = parts.filter((_, i) => i % 2 === 0);
+  const ends = parts.filter((_, i) => i % 2 === 1);
   const after = text.split('\n');
-  const defaultEnd = before[0].end || '\n';
-  const same = sameLines(before, after);
-  const rest = sameLines(before.slice(same).reverse(), after.slice(same).reverse());
+  const defaultEnd = ends[0] || '\n';
+  const same = commonLines(before, after);
+  const rest = commonLines(before.slice(same).reverse(), after.slice(same).reverse());
   const endOf = (/** @type {number} */ i) => {
     const fromEnd = after.length - 1 - i;
-    const known = i < same ? before[i] : fromEnd < rest ? before[before.length - 1 - fromEnd] : undefined;
-    return known?.end || defaultEnd;
+    const known = i < same ? ends[i] : fromEnd < rest ? ends[before.length - 1 - fromEnd] : '';
+    return known || defaultEnd;
   };
   return after.map((line, i) => (i === after.length - 1 ? line : line + endOf(i))).join('');
-}
-
-/** Returns the number of equal lines at the beginning. @param {Array<{line: string}>} before @param {string[]} after */
-function sameLines(before, after) {
-  const first = after.findIndex((line, i) => line !== before[i]?.line);
-  return first < 0 ? after.length : first;
 }
 
 /** @param {OpenFile | undefined} file @returns {boolean} whether it is editable */

@@ -1,0 +1,47 @@
+package org.robonewbie.site;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Objects;
+
+/** Identifies the commit that a folder of the project is built from. */
+final class Commit {
+
+    /** Git's command for archives replaces the content of this file by the full id; see {@code .gitattributes}. */
+    private static final String OF_ARCHIVE = "release/commit.txt";
+
+    private static final int DIGITS = 8;
+
+    private Commit() {}
+
+    /**
+     * Returns the first digits of the commit's id, followed by {@code -modified} if a file differs from it.
+     *
+     * @param root folder of the project
+     * @return the id; empty if the folder is neither a working tree nor an archive of a commit
+     */
+    static String of(Path root) throws IOException {
+        ProcessBuilder git = new ProcessBuilder(
+                        "git", "describe", "--always", "--exclude=*", "--abbrev=" + DIGITS, "--dirty=-modified")
+                .directory(root.toFile())
+                .redirectError(ProcessBuilder.Redirect.DISCARD);
+        // The project may lie in the repository of another one.
+        git.environment().put("GIT_CEILING_DIRECTORIES", Objects.toString(root.getParent()));
+        try {
+            Process process = git.start();
+            String id = new String(process.getInputStream().readAllBytes(), UTF_8).strip();
+            return id.isEmpty() ? ofArchive(root) : id;
+        } catch (IOException noGit) {
+            return ofArchive(root);
+        }
+    }
+
+    private static String ofArchive(Path root) throws IOException {
+        Path file = root.resolve(OF_ARCHIVE);
+        String id = Files.isRegularFile(file) ? Files.readString(file).strip() : "";
+        return id.matches("\\p{XDigit}{40}") ? id.substring(0, DIGITS) : "";
+    }
+}
