@@ -76,7 +76,7 @@ class RobotPageTest {
                 + " - studio.state.frame.robots[0].degrees[studio.state.scene.models.TYPE_0.hinges.findIndex(hinge =>"
                 + " hinge.joint === 'LEFT_KNEE_PITCH')]) < 3)");
         browser.await("document.querySelector('.robot-facts').textContent.includes('standing')");
-        browser.await("document.querySelectorAll('.plot canvas').length === 3");
+        browser.await("document.querySelectorAll('.plot canvas').length === 4");
         assertThat(browser.evaluate("document.querySelector('#robot-room').textContent.includes('-0°')")
                         .getAsBoolean())
                 .isFalse();
@@ -208,7 +208,7 @@ class RobotPageTest {
         try (PlayingRobot robot = PlayingRobot.start();
                 WholeStudio other = new WholeStudio(robot.simulator().control(), folder)) {
             browser.visit(other.oneTimeAddress() + "&quality=high&theme=light#robot");
-            browser.await("document.querySelectorAll('.plot canvas').length === 3");
+            browser.await("document.querySelectorAll('.plot canvas').length === 4");
             browser.await(
                     "document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
             browser.await(
