@@ -75,7 +75,7 @@ class GeneratedTablesTest {
             }
             MotionFile file = ShippedMotions.file(name);
             rows.add(row(
-                    mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, `" + mirrored + "`",
+                    mirrored.equals(name) ? "`" + name + "`" : "`" + name + "`, mirrored: `" + mirrored + "`",
                     file.property("does").orElse("").replace(" degrees", "°"),
                     file.property("start").orElse(""),
                     file.property("measured")

@@ -31,7 +31,7 @@ public final class LocalStudio implements FullStudio {
     public LocalStudio() {}
 
     /**
-     * Names the program that this process runs, so that its studio opens it.
+     * Sets the program that this process runs and that its studio opens.
      *
      * @param program a Java file, a class or an example
      * @param options its options for the robot
@@ -60,11 +60,11 @@ public final class LocalStudio implements FullStudio {
     /**
      * Opens the studio.
      *
-     * @param simulation the free pitch
+     * @param simulation the simulation to show
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param opened the file to open, and the folders that the pages may access
      * @param language language of the exercises
-     * @param first the program that runs already, if there is one
+     * @param first the program that is running, if there is one
      * @return the open studio
      * @throws IOException if the port cannot be opened
      */

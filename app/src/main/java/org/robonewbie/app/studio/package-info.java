@@ -1,5 +1,5 @@
 /**
- * Browser displays of the commands: an opened file, a search, a contest, the exercises. Start with {@link
+ * What the commands show in the browser: an opened file, a search, a contest, the exercises. Start with {@link
  * org.robonewbie.app.studio.OpenedFile}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.

@@ -35,7 +35,7 @@ final class StartDialogue {
      * Runs the dialogue.
      *
      * @param atFirstMessage called when the simulator has answered
-     * @param inPlace called when the robot has answered the first message after its beam
+     * @param inPlace called when the robot has answered the first message after the beam to its starting pose
      */
     void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
         robot.sensors().setTeam(options.team());

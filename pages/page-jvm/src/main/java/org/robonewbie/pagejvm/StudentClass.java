@@ -100,7 +100,7 @@ final class StudentClass {
                 .or(() -> parent().flatMap(type -> type.findByName(name, arguments)));
     }
 
-    /** {@return signatures of the methods of this class and of the student's superclasses, such as {@code thnik()}} */
+    /** {@return signatures of the methods that this class and the student's superclasses declare, such as {@code kick(int)}} */
     List<String> headings() {
         List<String> headings =
                 new ArrayList<>(parent().map(StudentClass::headings).orElseGet(List::of));

@@ -56,7 +56,7 @@ final class PageContext {
         begin(agents, seed, empty -> {});
     }
 
-    /** Shows a world with a first participant and then shipped agents, given as class names separated by spaces. */
+    /** Shows a world with a first participant, then with example agents, given as class names separated by spaces. */
     static void begin(String agents, int seed, Consumer<FreePitch> first) {
         leave.run();
         COURSE.close();

@@ -63,7 +63,7 @@ final class FallChecks {
                 name,
                 "stance, 0.1 s after a shot at 2 m/s from 2 m away, passing up to 0.6 m to the side",
                 "the ball does not get past the robot",
-                "m aside of the ball's way",
+                "m to the side of the ball's path",
                 seed -> dive(ShippedMotions.motion(name), side, seed));
     }
 

@@ -179,7 +179,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Compensates for the tilt of the torso: a robot that tilts forward sees the ball higher than it lies.
+     * Compensates for the tilt of the torso: to a robot that tilts forward, the ball appears higher than it is.
      *
      * @param seen position in metres relative to any point of the torso, along its axes: x forward, y left, z up
      * @return the position relative to the same point: x forward and y left in the horizontal plane, z up

@@ -25,7 +25,7 @@ public record BalanceGains(
     /**
      * A proportional-derivative controller.
      *
-     * @param perDegree output per degree of tilt beyond the plan
+     * @param perDegree output per degree by which the tilt exceeds the planned tilt
      * @param perDegreePerSecond output per degree per second of tilt rate
      */
     public record Gain(double perDegree, double perDegreePerSecond) {

@@ -9,7 +9,7 @@ import org.robonewbie.trial.WorldState;
  */
 public final class KickDistance extends MeasureFromStart {
 
-    /** Distance in metres that a ball still rolls for each metre per second of its speed, as measured in trials. */
+    /** Rolling distance in metres for each metre per second of the ball's speed, as measured in trials. */
     private static final double ROLL_OUT_SECONDS = 0.94;
 
     private double metres;

@@ -116,11 +116,11 @@ public final class BallFilter {
     }
 
     /**
-     * Predicts a position of the ball.
+     * Predicts where the ball will be, assuming that it slows down exponentially.
      *
      * @param position current position
      * @param velocity current velocity in metres per second
-     * @param seconds time ahead in seconds
+     * @param seconds how far to predict, in seconds
      * @return the predicted position
      */
     public static Translation2d predict(Translation2d position, Translation2d velocity, double seconds) {

@@ -10,8 +10,8 @@ import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Finds obstacles in the scene graph from a monitor port: boxes at the top level after the ball, where RoboNewbie's
- * simulator lists them. The walls of a SimSpark server precede the ball, and parts of robots are not at the top level.
+ * Finds obstacles in the scene graph from a monitor port. RoboNewbie's simulator lists them as boxes at the top level, after
+ * the ball. Boxes before the ball are the walls of a SimSpark server, and boxes at lower levels are parts of robots.
  */
 final class MonitoredThings {
 

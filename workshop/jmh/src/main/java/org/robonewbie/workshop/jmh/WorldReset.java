@@ -36,7 +36,7 @@ public class WorldReset {
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
     private WorldState settled = world.save();
 
-    /** Creates the state of one thread. */
+    /** Creates the world that one benchmark thread resets. */
     public WorldReset() {}
 
     /** Creates the world. */

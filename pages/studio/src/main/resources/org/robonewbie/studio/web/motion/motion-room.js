@@ -227,7 +227,7 @@ class MotionRoom {
         {},
         'This motion seems to have been written for RoboNewbie 1.1, which played short keyframes differently.',
       ),
-      button('Play it as 1.1 did', 'Adds // play: 1.1 at the top of the file', old, { id: 'play-original' }),
+      button('Play it as RoboNewbie 1.1 did', 'Adds // play: 1.1 at the top of the file', old, { id: 'play-original' }),
       button('Leave it as it is', 'Agents play it like any other motion', now, { id: 'play-usual' }),
     );
   }

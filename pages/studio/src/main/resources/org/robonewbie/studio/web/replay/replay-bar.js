@@ -24,7 +24,7 @@ import { legend, ReplayLine } from './replay-line.js';
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
-const START_HINT = 'Continues the simulation from this moment, with the clock stopped; puppets replace missing robots';
+const START_HINT = 'Starts a simulation from this moment, paused; puppets stand in for robots without a program';
 
 export class ReplayBar {
   /**
