@@ -110,17 +110,4 @@ class RunPageTest {
                 "studio.rooms.program.runs.now.id === 1 && " + STATE + " === 'MyBasicStructure.java is running.'");
         assertThat(folder.resolve("MyBasicStructure.java")).content().contains("class  MyBasicStructure extends");
     }
-
-    @Test
-    void leavingTheRecordingOfTheRunReturnsToThePresent() throws IOException {
-        run("Agent_BasicStructure");
-        browser.evaluate("location.hash = '#replay'");
-        browser.await("studio.replay?.list.some(each => each.running)");
-        browser.evaluate("studio.replay.choose(studio.replay.list.find(each => each.running).name)");
-        browser.await("studio.session.shown.tense === 'recorded'");
-
-        browser.evaluate("location.hash = '#robot'");
-
-        browser.await("studio.room() === 'robot' && studio.session.shown.tense === 'live'");
-    }
 }
