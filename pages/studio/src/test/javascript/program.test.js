@@ -67,6 +67,10 @@ test('the state of a program is described, and an endless loop is named', () => 
     '3.02 s: think() has not returned for 5 s; the run ends here. Is this an endless loop? (MyAgent.java:12)';
 
   assert.equal(runText({ ...run, state: 'RUNNING' }), 'MyAgent.java is running.');
+  assert.equal(
+    runText({ ...run, state: 'RUNNING' }, 'Agent_Wave'),
+    'Agent_Wave is running; saving makes your copy MyAgent.java.',
+  );
   assert.equal(runText({ ...run, state: 'ENDED' }), 'MyAgent.java has ended.');
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1, output }), /did not return \(MyAgent\.java:12\)/);
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /has failed/);
@@ -89,12 +93,12 @@ test('an uncaught exception or a stopped loop is found in the output', () => {
   assert.equal(crashOf({ ...run, output: stopped, state: 'RUNNING' }), undefined);
 });
 
-test('the output does not repeat what the robot has reported', () => {
+test('the output does not repeat what the robot has reported, nor name the server', () => {
   const report = 'think() failed with java.lang.Error (MyAgent.java:31)';
-  const output = `Joining the server\n0.40 s: ${report}\n0.42 s: Joint speed NaN\nhello`;
+  const output = `Joining the server at 127.0.0.1:3100\n0.40 s: ${report}\n0.42 s: Joint speed NaN\nhello`;
 
-  assert.equal(withoutReports(output, new Set([report])), 'Joining the server\n0.42 s: Joint speed NaN\nhello');
-  assert.equal(withoutReports(output, new Set()), output);
+  assert.equal(withoutReports(output, new Set([report])), '0.42 s: Joint speed NaN\nhello');
+  assert.equal(withoutReports(output, new Set()), `0.40 s: ${report}\n0.42 s: Joint speed NaN\nhello`);
 });
 
 test('the robot of the program is the one that joined with it, even after a restart', () => {

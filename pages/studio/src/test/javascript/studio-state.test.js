@@ -46,6 +46,7 @@ test('an empty field waits for a robot', () => {
 
   assert.match(message(empty, 0)?.title ?? '', /Waiting for a robot/);
   assert.match(message(empty, 0)?.text ?? '', /run Agent_BasicStructure/);
+  assert.match(message(empty, 0, true)?.text ?? '', /Edit beside the robot/);
 });
 
 test('a world without a port suggests only what is possible there', () => {
@@ -103,6 +104,16 @@ test('the score board shows teams, score, time and play mode', () => {
   assert.equal(board.clock, '01:15');
   assert.equal(board.half, '2nd half');
   assert.equal(board.playMode, 'Kick-off · Blue');
+});
+
+test('the score board is for two teams, or for goals', () => {
+  const alone = withFrame(live(), sampleFrame({ scoreLeft: 0 }), 0);
+  const both = { ...sampleScene(), teams: { left: 'Blue', right: 'Red' } };
+
+  assert.equal(scoreBoard(live(), 0).isGame, false);
+  assert.equal(scoreBoard(alone, 0).isGame, false);
+  assert.equal(scoreBoard(withFrame(live(), sampleFrame({ scoreLeft: 1 }), 0), 0).isGame, true);
+  assert.equal(scoreBoard(withScene(live(), both), 0).isGame, true);
 });
 
 test('a goal is celebrated for some seconds', () => {

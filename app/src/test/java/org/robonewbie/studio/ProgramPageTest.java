@@ -273,6 +273,23 @@ class ProgramPageTest {
 
     @Tag("slow")
     @Test
+    void lineNumbersStayBesideTheirLinesWhenTheEditorBecomesNarrower() {
+        visit();
+
+        browser.evaluate("studio.rooms.program.editor.replace("
+                + Chromium.quoted(RAISE.replace("DEGREES", "45"))
+                + "); studio.rooms.program.editor.view.measure();"
+                + " document.querySelector('#program-editor').style.marginRight = '300px'");
+
+        String tops = ".map(each => each.getBoundingClientRect().top).join()";
+        browser.await(inEditor(".cm-content") + ".scrollHeight > 21 * " + inEditor(".cm-content") + ".children.length");
+        browser.await("[...document.querySelector('#program-editor').shadowRoot"
+                + ".querySelectorAll('.cm-lineNumbers .cm-gutterElement')].filter(each => each.offsetHeight > 0)" + tops
+                + " === [..." + inEditor(".cm-content") + ".children]" + tops);
+    }
+
+    @Tag("slow")
+    @Test
     void firstExerciseIsSolvedAndChecked() {
         visit();
         browser.evaluate("document.querySelector('#program-file').value = 'exercise raise-arms'");

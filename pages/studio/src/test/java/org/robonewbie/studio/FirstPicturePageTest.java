@@ -22,12 +22,12 @@ class FirstPicturePageTest {
 
     private static final double STANDING_HEIGHT = 0.366;
 
-    /** Upper and lower end of the robot as fractions of the height between score board and transport bar. */
+    /** Upper and lower end of the robot as fractions of the height above the transport bar. */
     private static final String ENDS = """
             (() => {
               const { view, state } = studio;
               const stage = view.stage.getBoundingClientRect();
-              const top = document.querySelector('#score-board').getBoundingClientRect().bottom;
+              const { top } = stage;
               const bottom = document.querySelector('#transport').getBoundingClientRect().top;
               const [poses] = view.robots.poses;
               const head = state.scene.models[state.scene.robots[0].type].links.findIndex(({name}) => name === 'head');
@@ -59,7 +59,9 @@ class FirstPicturePageTest {
                 const way = new Vector3(...poses.subarray(at, at + 3)).sub(camera.position);
                 caster.far = way.length();
                 caster.set(camera.position, way.normalize());
-                count += caster.intersectObject(goals.group).filter(({object}) => object.material.opacity > 0.1).length;
+                count += caster.intersectObject(goals.group)
+                  .filter(({object, point}) => object.material.opacity > 0.1 && point.z > 0.01) // without flat shadows
+                  .length;
               }
               return count;
             })""";

@@ -76,7 +76,7 @@ class RobotPageTest {
                 + " - studio.state.frame.robots[0].degrees[studio.state.scene.models.TYPE_0.hinges.findIndex(hinge =>"
                 + " hinge.joint === 'LEFT_KNEE_PITCH')]) < 3)");
         browser.await("document.querySelector('.robot-facts').textContent.includes('standing')");
-        browser.await("document.querySelectorAll('.plot canvas').length === 3");
+        browser.await("document.querySelectorAll('.plot canvas').length === 4");
         assertThat(browser.evaluate("document.querySelector('#robot-room').textContent.includes('-0°')")
                         .getAsBoolean())
                 .isFalse();
@@ -159,16 +159,16 @@ class RobotPageTest {
         for (String value : List.of("torso/x", "joint angle/neck yaw")) {
             browser.click("[data-value=\"" + value + "\"]");
         }
-        browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
-        browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
+        browser.await("studio.robot.plots.rows[4]?.plot?.series.length === 3");
+        browser.await("studio.robot.plots.rows[4].plot.data[2].length > 10");
         browser.await("studio.robot.plots.moment.seconds > 1"); // curves show at least one second
 
         browser.click("#hold-curves");
-        browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
+        browser.await("studio.robot.plots.rows[4].plot.scales.x.max === studio.robot.plots.heldAt");
         double end = browser.evaluate("studio.robot.plots.heldAt").getAsDouble();
         browser.await("studio.robot.plots.moment.seconds > " + (end + 0.5));
 
-        assertThat(browser.evaluate("studio.robot.plots.rows[3].plot.scales.x.max")
+        assertThat(browser.evaluate("studio.robot.plots.rows[4].plot.scales.x.max")
                         .getAsDouble())
                 .isEqualTo(end);
         browser.evaluate("(() => { URL.createObjectURL = blob => { window.saved = blob; return '#'; }; })()");
@@ -208,7 +208,7 @@ class RobotPageTest {
         try (PlayingRobot robot = PlayingRobot.start();
                 WholeStudio other = new WholeStudio(robot.simulator().control(), folder)) {
             browser.visit(other.oneTimeAddress() + "&quality=high&theme=light#robot");
-            browser.await("document.querySelectorAll('.plot canvas').length === 3");
+            browser.await("document.querySelectorAll('.plot canvas').length === 4");
             browser.await(
                     "document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");
             browser.await(

@@ -237,9 +237,8 @@ export class Studio {
 
   /** @param {import('./panels/rooms.js').RoomName} entered */
   async #enter(entered) {
-    const { recorded } = this.cursor;
-    if (recorded?.running && entered !== 'replay') {
-      this.cursor.goTo(recorded.frame.cycle);
+    if (this.cursor.recorded?.running && entered !== 'replay') {
+      this.cursor.goLive(); // other rooms steer the running simulation
     }
     this.touch();
     this.workspace.enter(entered);
@@ -311,7 +310,7 @@ export class Studio {
     this.#draws.forEach((draw) => draw(shown, now));
     const { tense } = this.session.shown;
     this.drawTimeLine(tense, ['motion', 'replay'].includes(this.room()));
-    byId('score-board').hidden = this.room() === 'replay' && tense !== 'recorded';
+    byId('score-board').hidden ||= this.room() === 'replay' && tense !== 'recorded';
     byId('gone').hidden = shown.connection !== 'lost' || !byId('field-room').hidden;
   }
 }

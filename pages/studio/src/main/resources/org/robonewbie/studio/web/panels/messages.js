@@ -8,7 +8,7 @@ const NOTE_MILLISECONDS = 6000;
 
 /** @returns {(state: StudioState, now: number) => void} function that updates the banner */
 export function banner() {
-  return (state, now) => showBanner(message(state, now));
+  return (state, now) => showBanner(message(state, now, byId('field-room').dataset.exercises === 'on'));
 }
 
 /**

@@ -1,4 +1,4 @@
-/** Score board: teams, score, game time and play mode. */
+/** Score board: teams, score, game time and play mode; hidden while a team is missing and there is no goal. */
 import { scoreBoard } from '../state/studio-state.js';
 import { byId, element, setText } from './elements.js';
 
@@ -18,6 +18,7 @@ export function scoreBoardPanel() {
   );
   return (state, now) => {
     const board = scoreBoard(state, now);
+    byId('score-board').hidden = !board.isGame;
     byId('score-board').dataset.cheers = board.cheers;
     setText(left, board.left);
     setText(right, board.right);

@@ -69,6 +69,8 @@ export class CodeEditor {
     root.append(inside);
     this.extensions = this.#extensions(listener);
     this.view = new EditorView({ root, parent: inside, state: this.#fresh('', true) });
+    // CodeMirror itself ignores a change of size shortly after an update; line numbers would slip beside wrapped lines.
+    new ResizeObserver(() => this.view.requestMeasure()).observe(this.view.contentDOM);
   }
 
   get text() {
@@ -171,7 +173,13 @@ export class CodeEditor {
     return [
       GHOST_TEXT,
       ...[lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection()],
-      ...[history(), indentOnInput(), bracketMatching(), closeBrackets(), highlightSelectionMatches()],
+      ...[
+        history(),
+        indentOnInput(),
+        bracketMatching(),
+        closeBrackets(),
+        highlightSelectionMatches({ wholeWords: true }),
+      ],
       ...[search({ top: true }), java(), indentUnit.of('    '), EditorState.tabSize.of(4)],
       autocompletion({ override: [complete], icons: false }),
       keymap.of([

@@ -183,13 +183,16 @@ export class RunController {
   }
 
   draw() {
-    const { file } = this.room.files;
+    const { file, list } = this.room.files;
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
     this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
     const { status } = this.room.exercises;
     const isTrouble = status === '' && this.now.state === 'ENDED' && this.now.exitCode !== 0;
-    this.#showState(status || runText(this.now), isTrouble ? 'trouble' : '');
+    this.#showState(
+      status || runText(this.now, this.now.id === 0 ? list.first?.example : ''),
+      isTrouble ? 'trouble' : '',
+    );
   }
 
   /** @param {string} text @param {string} tone */

@@ -15,7 +15,8 @@ import { ValueTree } from './value-tree.js';
 const KEY = 'robonewbie-plots';
 const SPANS = [5, 20, 60, 300];
 const FIRST = [
-  ['torso/height', 'ball/distance'],
+  ['torso/height'],
+  ['ball/distance'],
   ['joint angle/left knee pitch', 'joint angle/right knee pitch'],
   ['accelerometer/forward', 'accelerometer/left', 'accelerometer/up'],
 ];

@@ -1,7 +1,7 @@
 /** Draws plots with uPlot, which is loaded on first use. */
 
 const ADDRESS = 'vendor/uplot/uplot.min.js';
-const HEIGHT = 96;
+const HEIGHT = 150;
 const COLOURS = 6;
 const MIN_DRAG_PIXELS = 4;
 const LOOK = {
@@ -106,7 +106,7 @@ export function axes(colour) {
   };
   return [
     { ...axis, size: 22, gap: 2 },
-    { ...axis, size: 46, gap: 2 },
+    { ...axis, size: 46, gap: 2, space: 24 },
   ];
 }
 

@@ -51,7 +51,7 @@ const ROBOT = {
     { part: 0.25, panels: [shown('joints', 1)] },
   ],
   medium: [
-    { part: 0.5, panels: [shown('picture', 0.45), shown('curves', 0.3), shown('words', 0.25)] },
+    { part: 0.5, panels: [shown('picture', 0.4), shown('curves', 0.4), shown('words', 0.2)] },
     { part: 0.5, panels: [shown('surroundings', 0.55), shown('joints', 0.45)] },
   ],
   narrow: [

@@ -24,6 +24,8 @@ const STANDSTILL_MILLISECONDS = 1500;
 
 const NO_TEAM = 'no team yet';
 
+const EXERCISE_HINT = 'Choose an exercise, then press “Edit beside the robot”.';
+
 /** How long a goal is celebrated. */
 const CHEER_MILLISECONDS = 4000;
 
@@ -145,9 +147,10 @@ function lastGoal(state, frame, now) {
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
+ * @param {boolean} [inExercises] whether the exercises are beside the field
  * @returns {Message | undefined}
  */
-export function message(state, now) {
+export function message(state, now, inExercises = false) {
   if (state.refusal) {
     return trouble('The simulator rejected this page', state.refusal);
   }
@@ -164,7 +167,7 @@ export function message(state, now) {
     return waiting(state.starting, 'The program is being compiled.');
   }
   if (state.scene.robots.length === 0) {
-    return waiting('Waiting for a robot…', joinHint(state.scene));
+    return waiting('Waiting for a robot…', inExercises ? EXERCISE_HINT : joinHint(state.scene));
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
     return waiting(
@@ -213,6 +216,7 @@ function waiting(title, text) {
 export function scoreBoard(state, now) {
   const { scene, frame, goal } = state;
   return {
+    isGame: isGame(state),
     cheers: goal && now - goal.milliseconds < CHEER_MILLISECONDS ? goal.side : '',
     left: scene?.teams.left || NO_TEAM,
     right: scene?.teams.right || NO_TEAM,
@@ -223,6 +227,12 @@ export function scoreBoard(state, now) {
     half: frame ? (frame.half === 2 ? '2nd half' : '1st half') : '',
     playMode: scene && frame ? playModeText(scene.playModes[frame.playMode], scene.teams) : '',
   };
+}
+
+/** Returns whether there are two teams or there has been a goal. @param {StudioState} state */
+function isGame({ scene, frame }) {
+  const hasBoth = Boolean(scene?.teams.left && scene.teams.right);
+  return hasBoth || (frame !== undefined && frame.scoreLeft + frame.scoreRight > 0);
 }
 
 /**

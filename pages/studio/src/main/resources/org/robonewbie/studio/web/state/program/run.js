@@ -8,6 +8,7 @@ import { fileName } from './remarks.js';
 
 const CRASH = /^(Stopped at|Exception in thread) /m;
 const PLACES = /([\w$]+\.java):(\d+)/g;
+const JOINING = /^Joining the server at /;
 const REPORT_TIME = /^\d+\.\d\d s: /;
 const ENDLESS = /think\(\) has not returned.*?\(([^)]*)\)/s;
 
@@ -19,14 +20,18 @@ export function isUnderWay({ state }) {
   return state === 'STARTING' || state === 'RUNNING';
 }
 
-/** @param {ProgramRun} run @returns {string} its state, as a sentence */
-export function runText(run) {
+/**
+ * @param {ProgramRun} run
+ * @param {string} [example] name of the running example whose copy the program is to become, empty for none
+ * @returns {string} its state, as a sentence
+ */
+export function runText(run, example = '') {
   const name = fileName(run.program);
   switch (name === '' ? 'NONE' : run.state) {
     case 'STARTING':
       return `${name} is starting…`;
     case 'RUNNING':
-      return `${name} is running.`;
+      return example ? `${example} is running; saving makes your copy ${name}.` : `${name} is running.`;
     case 'STOPPED':
       return `${name} was stopped.`;
     case 'REFUSED':
@@ -64,7 +69,7 @@ export function crashOf({ state, program, output, exitCode }) {
 }
 
 /**
- * Removes from the output of a program what its robot has also reported by telemetry.
+ * Removes from the output of a program what its robot has also reported by telemetry, and the server that it has joined.
  *
  * @param {string} output
  * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log
@@ -72,7 +77,7 @@ export function crashOf({ state, program, output, exitCode }) {
  */
 export function withoutReports(output, reports) {
   const lines = output.split('\n');
-  return lines.filter((line) => !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
+  return lines.filter((line) => !JOINING.test(line) && !reports.has(line.replace(REPORT_TIME, ''))).join('\n');
 }
 
 /**
