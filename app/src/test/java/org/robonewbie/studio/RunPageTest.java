@@ -98,8 +98,7 @@ class RunPageTest {
     @Test
     void exampleBecomesAProgramOfTheUserWhenItIsSaved() throws IOException {
         run("Agent_BasicStructure");
-        browser.await(
-                STATE + " === 'Agent_BasicStructure is running; saving makes your copy MyBasicStructure.java.'");
+        browser.await(STATE + " === 'Agent_BasicStructure is running; saving makes your copy MyBasicStructure.java.'");
         browser.await("[...document.querySelectorAll('#rooms a')].filter(each => each.checkVisibility())"
                 + ".map(each => each.textContent).join() === 'Field,Program,Robot,Motion,Replay,Exercises'");
         assertThat(folder.resolve("MyBasicStructure.java")).doesNotExist();

@@ -56,11 +56,11 @@ class WatchedTrialTest {
     void robotIsFirstSeenAtItsStart() {
         watched.addObserver(seen::add);
 
-        try (Trial trial = trial()) {
-            WorldSnapshot first = seen.get(0);
-            assertThat(first.teamLeft()).isEqualTo(RobotStart.TEAM);
-            assertThat(first.robots().get(0).body().position().z()).isLessThan(0.5);
-        }
+        trial().close();
+
+        WorldSnapshot first = seen.get(0);
+        assertThat(first.teamLeft()).isEqualTo(RobotStart.TEAM);
+        assertThat(first.robots().get(0).body().position().z()).isLessThan(0.5);
     }
 
     @Test
