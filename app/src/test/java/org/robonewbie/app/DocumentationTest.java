@@ -150,7 +150,7 @@ class DocumentationTest {
         return link.matcher(Project.read(page))
                 .results()
                 .map(match -> match.group(1))
-                .filter(target -> !target.contains("://"))
+                .filter(target -> !target.contains("://") && !target.startsWith("data:"))
                 .map(target -> page.resolveSibling(target).normalize());
     }
 }

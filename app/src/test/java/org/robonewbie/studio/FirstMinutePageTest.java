@@ -109,6 +109,7 @@ class FirstMinutePageTest {
                 .isFalse();
     }
 
+    @Tag("slow")
     @Test
     void mistakeOfTheCompilerIsFixedFirst() {
         visit("light");
@@ -122,6 +123,7 @@ class FirstMinutePageTest {
         awaitCard("Fix the line marked in red first.");
     }
 
+    @Tag("slow")
     @Test
     void skippedLevelsNeverReturn() {
         visit("light");

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -50,6 +51,7 @@ class HelpSearchPageTest {
                 .isTrue();
     }
 
+    @Tag("slow")
     @Test
     void keyboardLeadsFromAnyPlaceToAHit() throws IOException {
         try (FurnishedStudio studio = new FurnishedStudio(folder)) {

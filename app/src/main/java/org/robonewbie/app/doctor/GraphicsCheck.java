@@ -18,7 +18,7 @@ final class GraphicsCheck {
     private static final int MAX_SECONDS = 30;
     private static final String WORKS = "webgl-works";
     private static final String LOOK =
-            "Open the studio once on this computer (robonewbie demo): without WebGL, its picture is simpler and slower.";
+            "Check by opening the studio once on this computer (robonewbie demo). Without WebGL, its picture is simpler and drawn more slowly.";
 
     /** Browsers with a headless mode, as commands on the PATH or as files. */
     private static final List<String> BROWSERS = List.of(

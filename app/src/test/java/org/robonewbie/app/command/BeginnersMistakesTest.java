@@ -115,6 +115,7 @@ class BeginnersMistakesTest {
                 .doesNotContain("at org.robonewbie", "at java.base", "Caused by");
     }
 
+    @Tag("slow")
     @Test
     void recursionWithoutEndIsOneLine() throws Exception {
         Ended ended = main("Deep", "main(args);");

@@ -67,6 +67,7 @@ class ClassMarkingTest {
         return Printed.by(Stream.concat(Stream.of(words), Stream.of(more)).toArray(String[]::new));
     }
 
+    @Tag("slow")
     @Test
     void allProgramsComeIntoOneTableWithReasonsAndCopies() throws IOException {
         Printed printed = grade();

@@ -148,6 +148,7 @@ class GradeCommandTest {
         assertThat(solution.err()).isNotBlank();
     }
 
+    @Tag("slow")
     @Test
     void mistakeBeforeTheFirstCycleIsToldWithItsLine() throws IOException {
         Path file = Files.writeString(folder.resolve("Broken.java"), """
@@ -195,6 +196,7 @@ class GradeCommandTest {
         assertThat(printed.out()).contains("0.0 of 10 points").contains("memory");
     }
 
+    @Tag("slow")
     @Test
     void classThatIsNoAgentIsRefused() throws IOException {
         Path file = Files.writeString(folder.resolve("NoRobot.java"), "public class NoRobot {}");

@@ -202,6 +202,7 @@ class RecordCommandTest {
         assertThat(otherColumns.exitCode()).isEqualTo(2);
     }
 
+    @Tag("slow")
     @Test
     void whatCannotBeRecordedIsToldAsACallThatIsWrong() throws IOException {
         Path taken = folder.resolve("taken");

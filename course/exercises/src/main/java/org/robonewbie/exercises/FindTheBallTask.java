@@ -48,8 +48,8 @@ final class FindTheBallTask implements Task {
                     points,
                     String.format(Locale.ROOT, "faced the ball after %.1f s", foundSeconds),
                     points < 10
-                            ? "The head turns faster than the legs, and once it has seen the ball, you know the"
-                                    + " shorter way to turn."
+                            ? "The head turns faster than the robot. Once the camera sees the ball, you know which"
+                                    + " way to turn."
                             : "");
         }
         return Score.failed(

@@ -83,9 +83,8 @@ final class GoalkeeperTask implements Task {
                 shots == 2 ? "saved the first shot; conceded the second, " + last : "conceded the first shot, " + last,
                 shots == 2
                         ? "Get up after a dive and be ready again: the next shot goes to the other side."
-                        : "Two camera images of the ball give its velocity and thus the point where it will pass;"
-                                + " \"dive-left\" and \"dive-right\""
-                                + " are motions.");
+                        : "From two camera images of the ball you can compute its velocity, and so where it will"
+                                + " pass. To dive, play the motion \"dive-left\" or \"dive-right\".");
     }
 
     private String side(int shot) {

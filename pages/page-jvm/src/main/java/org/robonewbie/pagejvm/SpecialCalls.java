@@ -14,7 +14,7 @@ public interface SpecialCalls {
     /**
      * Executes a call.
      *
-     * @param owner the class named by the instruction, with slashes
+     * @param owner internal name of the class in the instruction, such as {@code java/lang/Object}
      * @param name name of the method
      * @param target the receiver; null for a static method
      * @param arguments the arguments

@@ -58,6 +58,7 @@ class CoursePageTest {
         browser.await("document.querySelector('#course-program').options.length === 2");
     }
 
+    @Tag("slow")
     @Test
     void listShowsTitleLevelAndPassedExercises() {
         visit();
@@ -74,6 +75,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void hintsOpenOneAfterTheOtherAndThenASolution() {
         visit();

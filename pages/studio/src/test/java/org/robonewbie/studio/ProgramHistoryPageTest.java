@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -96,6 +97,7 @@ class ProgramHistoryPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void damagedHistoryIsReplaced() throws IOException {
         Path histories = Files.createDirectories(folder.resolve(".studio/history"));
@@ -108,6 +110,7 @@ class ProgramHistoryPageTest {
         assertThat(shown("#versions")).isEqualTo("just now, same as now\nearlier, 1 line differs");
     }
 
+    @Tag("slow")
     @Test
     void programIsSavedWithoutPlaceForItsHistory() throws IOException {
         Files.createDirectories(folder.resolve(".studio/history/Kick.java.json/occupied"));

@@ -138,6 +138,7 @@ class ReplayPageTest {
         browser.await("document.querySelector('.score').textContent.includes('1')");
     }
 
+    @Tag("slow")
     @Test
     void eventsAreJumpedToAndTheRunIsPlayed() {
         visit();
@@ -342,6 +343,7 @@ class ReplayPageTest {
                 .isEqualTo(6);
     }
 
+    @Tag("slow")
     @Test
     void replayWithoutRecordingsShowsAMessage() throws IOException {
         try (StudioServer empty = StudioServer.start(

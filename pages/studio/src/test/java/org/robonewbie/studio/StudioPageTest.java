@@ -75,6 +75,7 @@ class StudioPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void emptyFieldWaitsForARobot() {
         openStudio();
@@ -242,6 +243,7 @@ class StudioPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void themeIsSwitched() {
         openStudioWithRobot();
@@ -307,6 +309,7 @@ class StudioPageTest {
         assertThat(browser.evaluate("studio.view.drawCalls").getAsInt()).isLessThanOrEqualTo(100);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"1366x768", "1024x768", "1920x1080"})
     void layoutFitsCommonScreens(String size) {

@@ -95,6 +95,7 @@ class WithoutWebGlPageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
+    @Tag("slow")
     @Test
     void recordingIsPlayed() {
         open("replay/game@play");

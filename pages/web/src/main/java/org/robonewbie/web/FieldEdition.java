@@ -13,10 +13,10 @@ public final class FieldEdition {
     private FieldEdition() {}
 
     /**
-     * Adds students' programs.
+     * Adds support for students' programs to the page.
      *
-     * @param left called before another world is shown
-     * @param starter starts attempts
+     * @param left called when the user leaves the current world, before another is shown
+     * @param starter starts an attempt at an exercise
      */
     static void addPrograms(Runnable left, PageCourse.Starter starter) {
         PageContext.addPrograms(left, starter);

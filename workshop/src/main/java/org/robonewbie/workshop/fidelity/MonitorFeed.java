@@ -86,7 +86,7 @@ final class MonitorFeed implements AutoCloseable {
     }
 
     /**
-     * Waits until a waiting server has repeated its message, so that the next repetition is a full interval away. Returns the
+     * Waits until an idle server has repeated its message, so that a full interval remains until it does so again. Returns the
      * number of messages so far.
      */
     int awaitRepetition() {

@@ -6,12 +6,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(120)
 class ExampleLoadTest {
 
+    @Tag("slow")
     @Test
     void measuresEachCycleOfEachRobotAfterTheWarmUp() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();

@@ -9,7 +9,7 @@ import org.robonewbie.protocol.order.TrainerOrderWriter;
 
 /**
  * A connection to the monitor port of a SimSpark server, either this framework's simulator or rcssserver3d. It receives the state of
- * the world and sends orders.
+ * the world and sends trainer commands.
  *
  * <pre>{@code
  * try (MonitorLink monitor = MonitorLink.connect("127.0.0.1", 3200)) {

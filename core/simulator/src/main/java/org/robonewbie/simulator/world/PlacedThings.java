@@ -39,7 +39,7 @@ public final class PlacedThings {
         return landscape;
     }
 
-    /** {@return the objects in their current poses, in the order of the landscape} */
+    /** {@return the objects at their current poses, in the order in which the landscape lists them} */
     public List<Thing> now() {
         List<Thing> things = new ArrayList<>();
         for (int i = 0; i < bodies.size(); i++) {

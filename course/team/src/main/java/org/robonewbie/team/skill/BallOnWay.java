@@ -18,8 +18,12 @@ record BallOnWay(Translation2d ball, double turn) {
     private static final double MAX_TURN = 25;
 
     /**
-     * Creates the position from the ball's predicted position at the time when the robot's next steps take effect; the
-     * path leads from the ball's current position to the target, both in team coordinates.
+     * Locates the ball relative to its path, which leads from its current position to the target.
+     *
+     * @param world the robot's pose
+     * @param expected the ball's predicted position when the robot's next steps take effect
+     * @param now the ball's current position
+     * @param target the end of the path
      */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();

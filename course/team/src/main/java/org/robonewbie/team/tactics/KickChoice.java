@@ -198,8 +198,8 @@ public final class KickChoice {
     }
 
     /**
-     * Returns the probability that an unobstructed kick scores. The goal must be within range, and the ball must not pass over
-     * the bar.
+     * Returns the probability that an unobstructed kick scores: 0 if the goal is out of range or the ball would pass over
+     * the crossbar.
      */
     private double goalProbability(KickKind kind, Translation2d ball, double degrees) {
         double metres = ball.distanceTo(world.theirGoal());

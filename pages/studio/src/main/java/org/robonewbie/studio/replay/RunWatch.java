@@ -35,9 +35,9 @@ public final class RunWatch implements RecordingState.Listener {
     public RunWatch() {}
 
     /**
-     * Reads the next bytes.
+     * Parses the next bytes of the recording.
      *
-     * @param bytes an array that contains the bytes at its start
+     * @param bytes a buffer that starts with these bytes
      * @param length number of bytes
      * @throws IllegalArgumentException if they are not a recording of this version or are damaged
      */

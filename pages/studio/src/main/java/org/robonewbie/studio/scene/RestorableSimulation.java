@@ -17,7 +17,7 @@ public interface RestorableSimulation {
      */
     WorldSnapshot now();
 
-    /** {@return the bit-exact state; empty if the simulation cannot save it, for example in another process} */
+    /** {@return the bit-exact state; empty if the simulation cannot save it, for example because it runs in another process} */
     Optional<WorldState> save();
 
     /**

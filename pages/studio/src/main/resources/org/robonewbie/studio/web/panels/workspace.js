@@ -111,7 +111,7 @@ export class Workspace {
     const isUnfolded = this.#tools[this.#room] === true;
     byId('side').dataset.folded = String(!isUnfolded);
     this.tools.setAttribute('aria-expanded', String(isUnfolded));
-    this.tools.title = isUnfolded ? 'Hide camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
+    this.tools.title = isUnfolded ? 'Hide the tools' : 'Tools for camera, game, scenes and puppets';
     const isProgram = this.#room === 'program';
     this.showsRobot =
       !isProgram && this.#room !== 'motion' && this.#optional.some((name) => shows(this.split.layout, name));
