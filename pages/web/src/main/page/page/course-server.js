@@ -4,8 +4,6 @@ import { storage } from './page-storage.js';
 
 const LANGUAGE = 'robonewbie-page-language';
 const PROGRESS = 'robonewbie-page-progress';
-/** Entry of `locked.txt` that locks the solutions of all exercises. */
-const ALL = 'all';
 
 /** @typedef {Record<string, any>} States progress by name of the exercise */
 
@@ -102,14 +100,13 @@ export class CourseServer {
    * @returns {Promise<Record<string, string>>} text by name of the file
    */
   async #solutions(exercise) {
-    const locked = (await solution('locked.txt')) ?? ALL;
-    if (locked.split(/\s+/).includes(ALL)) {
-      return { 'locked.txt': ALL };
-    }
     const { lessons } = await (await this.answer('', {})).json();
     const { file = '' } = lessons.find((/** @type {{name: string}} */ { name }) => name === exercise) ?? {};
     const program = await solution(file);
-    return { 'locked.txt': locked, ...(program === undefined ? {} : { [file]: program }) };
+    return {
+      'locked.txt': (await solution('locked.txt')) ?? 'all',
+      ...(program === undefined ? {} : { [file]: program }),
+    };
   }
 }
 

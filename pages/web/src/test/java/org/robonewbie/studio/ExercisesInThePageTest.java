@@ -183,7 +183,8 @@ class ExercisesInThePageTest {
         open("#field/exercises");
         assertThat(help(first)).contains("\"solution\":false");
         Path solutions = Files.createDirectory(folder.resolve("solutions"));
-        Files.writeString(solutions.resolve("locked.txt"), "# none\nkick\n");
+        String ofTheTeachersZip = Files.readString(Path.of("../../app/src/bundle/locked.txt"));
+        Files.writeString(solutions.resolve("locked.txt"), ofTheTeachersZip + "kick\n");
         Files.writeString(
                 solutions.resolve(first.fileName()),
                 "package org.robonewbie.exercises.solution;\n\n" + Solutions.text(first));
