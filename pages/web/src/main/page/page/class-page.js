@@ -110,10 +110,7 @@ class ClassPage {
         ? ''
         : `${counted(students.length, 'student')}, ${counted(programs.length, 'program')}`,
     );
-    const entries = this.#received.map((received, index) => ({
-      received,
-      student: senders[index],
-    }));
+    const entries = this.#received.map((received, index) => ({ received, student: senders[index] }));
     const known = entries.filter(({ student }) => student !== '');
     const unreadable = entries.filter(({ student }) => student === '');
     known.sort((first, second) => first.student.localeCompare(second.student));
@@ -182,11 +179,7 @@ class ClassPage {
 
   /** @param {import('./class-grader.js').Mark[]} marks @param {number} seeds @param {number} count number of programs */
   async #show(marks, seeds, count) {
-    const files = await this.#worker.call('table', {
-      received: this.#received,
-      marks,
-      seeds,
-    });
+    const files = await this.#worker.call('table', { received: this.#received, marks, seeds });
     const stopped = marks.length < count ? `Stopped after ${marks.length} of ${counted(count, 'program')}. ` : '';
     setText(byId('class-progress'), stopped + files.sentence);
     /** @type {HTMLIFrameElement} */ (byId('class-table')).srcdoc = files['grades.html'];

@@ -1,7 +1,7 @@
 /** Balances a motion and reports the keyframes for which that is impossible. */
 import { balanceText, madeBalanced } from '../state/motion/balancing.js';
 import { selected } from '../state/motion/editor-state.js';
-import { showFindings } from './questions.js';
+import { showFindings } from '../panels/questions.js';
 
 /** @param {import('./editor.js').Editor} editor */
 export function makeBalanced(editor) {

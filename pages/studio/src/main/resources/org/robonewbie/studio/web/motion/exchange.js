@@ -2,7 +2,7 @@
 import { offer } from '../panels/elements.js';
 import { documentOf } from '../state/motion/editor-state.js';
 import { ENDINGS, FORMATS, MAX_BYTES, readMotion } from '../state/motion/interchange.js';
-import { askChoice, askFile } from './questions.js';
+import { askChoice, askFile } from '../panels/questions.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 

@@ -4,7 +4,7 @@ import { isUnsaved, postureNow, posed } from '../state/motion/editor-state.js';
 import { templatePostures } from '../state/motion/poses.js';
 import { namelessDrafts } from './drafts.js';
 import { takeTyped } from './number-field.js';
-import { ask } from './questions.js';
+import { ask } from '../panels/questions.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 

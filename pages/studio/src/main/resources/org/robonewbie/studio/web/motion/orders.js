@@ -16,7 +16,7 @@ import { withAllChosen } from '../state/motion/selection.js';
 import { takeTyped } from './number-field.js';
 import { makeBalanced } from './balance-order.js';
 import { exportFile, importFile } from './exchange.js';
-import { ask, askName } from './questions.js';
+import { ask, askName } from '../panels/questions.js';
 
 /**
  * @typedef {import('./editor.js').Editor} Editor

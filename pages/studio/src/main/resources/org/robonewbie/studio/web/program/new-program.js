@@ -1,5 +1,5 @@
 /** Creates programs: a minimal one, or a copy of an example. Never replaces an existing program, whether or not it has been saved. */
-import { ask } from '../motion/questions.js';
+import { ask } from '../panels/questions.js';
 import { encodeText, UTF_8 } from '../state/decoded-text.js';
 import { classNameProblem, FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';

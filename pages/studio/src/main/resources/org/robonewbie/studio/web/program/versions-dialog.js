@@ -1,5 +1,5 @@
 /** Dialog that compares the saved versions of a program with the text in the editor. */
-import { showDialog } from '../motion/questions.js';
+import { showDialog } from '../panels/questions.js';
 import { button, choice, element } from '../panels/elements.js';
 import { changedLines, lineDiff, nearChanges } from '../state/program/line-diff.js';
 import { ageText } from '../state/program/versions.js';

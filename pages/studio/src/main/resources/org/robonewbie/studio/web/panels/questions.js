@@ -1,5 +1,5 @@
 /** Small modal dialogs that ask a question, or report something too long for a note. */
-import { button, choice, element } from '../panels/elements.js';
+import { button, choice, element } from './elements.js';
 import { composedName, nameProblem } from '../state/file-name.js';
 
 /**
