@@ -36,7 +36,7 @@ public record CodeBlock(Path page, int line, String language, String mark, Strin
     private static final Pattern PYTHON_IMPORT = Pattern.compile("(?m)^(?:import|from) .*");
     private static final Pattern IMPORT = Pattern.compile("(?m)^import .*;\\R");
 
-    /** Lists the pages with code: those that people read, and that of the Python package. */
+    /** Lists the pages with code: those of the documentation, and that of the Python package. */
     public static Stream<Path> pages() {
         return Stream.concat(Project.pages().stream(), Stream.of(Project.ROOT.resolve("research/python/README.md")));
     }

@@ -36,7 +36,7 @@ final class Picture {
         return picture;
     }
 
-    /** Keeps a picture for people who look for a mistake. */
+    /** Keeps a picture for debugging. */
     static void keep(String name, byte[] png) throws IOException {
         Files.write(Files.createDirectories(KEPT).resolve(name), png);
     }
