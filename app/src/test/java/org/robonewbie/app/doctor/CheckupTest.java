@@ -180,7 +180,7 @@ class CheckupTest {
         assumeThat(File.separatorChar).isEqualTo('/');
 
         assertThat(GraphicsCheck.drawn(folder.resolve("none").toString()).advice())
-                .contains("Open the studio once");
+                .contains("opening the studio once");
         assertThat(GraphicsCheck.drawn(folder.toString()).found()).contains("does not support 3D graphics");
     }
 }
