@@ -30,5 +30,6 @@ export default [
     ignores: ['src/test/tools/fuzz-page.js'],
     languageOptions: { globals: globals.node },
   },
+  { files: ['src/test/pages/**/*.js'], languageOptions: { globals: { ...globals.browser, studio: 'readonly' } } },
   { files: ['src/test/tools/fuzz-page.js'], languageOptions: { globals: globals.browser } },
 ];

@@ -41,9 +41,12 @@ final class TestSimulator implements AutoCloseable {
     }
 
     TestSimulator(Landscape landscape) {
-        SimulatorSettings settings = SimulatorSettings.of(
+        this(SimulatorSettings.of(
                         WorldSettings.beginner().withLandscape(landscape).withSeed(1))
-                .withAgentPort(0);
+                .withAgentPort(0));
+    }
+
+    TestSimulator(SimulatorSettings settings) {
         try {
             simulator = Simulator.start(settings, Console.silent());
         } catch (IOException e) {
@@ -89,6 +92,10 @@ final class TestSimulator implements AutoCloseable {
         return latest().robots().stream()
                 .anyMatch(robot -> robot.number() == player.number()
                         && robot.side().stream().anyMatch(player.side()::equals));
+    }
+
+    int agentPort() {
+        return simulator.agentPort();
     }
 
     SimulationControl control() {

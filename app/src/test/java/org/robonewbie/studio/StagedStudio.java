@@ -1,0 +1,125 @@
+package org.robonewbie.studio;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robonewbie.app.studio.LocalCourseHost;
+import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.exercises.progress.LocalProgress;
+import org.robonewbie.exercises.progress.ProgressFile;
+import org.robonewbie.exercises.progress.ProgressService;
+import org.robonewbie.exercises.progress.SolutionRepository;
+import org.robonewbie.exercises.service.CourseService;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.simulator.cycle.WorldSettings;
+import org.robonewbie.simulator.file.RecordingRepository;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.server.SimulatorSettings;
+
+/** A studio with all rooms, as {@code robonewbie studio} opens it, whose programs, motions, recordings and progress lie in one folder. */
+final class StagedStudio implements AutoCloseable {
+
+    private static final int SHELF_BYTES = 1_000_000_000;
+
+    private final TestSimulator simulation;
+    private final ProcessCompilerService programs;
+    private final CourseService course;
+    private final TelemetryServer telemetry;
+    private final StudioServer studio;
+
+    /**
+     * Opens the studio.
+     *
+     * @param request JSON object with its folder, and with robots that hold a posture or a world that waits for its first robot
+     */
+    StagedStudio(JsonObject request) throws IOException {
+        Path folder = Path.of(text(request, "folder", ""));
+        Robot[] robots = new Gson().fromJson(request.get("robots"), Robot[].class);
+        simulation = new TestSimulator(SimulatorSettings.of(WorldSettings.beginner()
+                        .withLandscape(Landscape.named(text(request, "landscape", "soccer")))
+                        .withSeed(1))
+                .withAgentPort(0)
+                .withAwaitedAgents(robots == null ? 1 : 0)
+                .withSpeed(Double.parseDouble(text(request, "speed", "1"))));
+        for (Robot robot : robots == null ? new Robot[0] : robots) {
+            robot.joins(simulation);
+        }
+        if (text(request, "isPaused", "false").equals("true")) {
+            simulation.order(new Order.Pause());
+        }
+        for (String name : new Gson().fromJson(text(request, "recordings", "[]"), String[].class)) {
+            RecordedRun.write(folder.resolve(name + RecordingRepository.ENDING));
+        }
+        ShownSimulation shown = new ShownSimulation(simulation.control());
+        programs = new ProcessCompilerService(folder);
+        course = new CourseService(
+                new ProgressService(
+                        new LocalProgress(Optional.of(new ProgressFile(folder.resolve("progress.json")))),
+                        SolutionRepository.NONE),
+                new LocalCourseHost(folder, simulation.control(), shown),
+                "");
+        course.setLanguage(text(request, "language", "en"));
+        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, programs);
+        telemetry = TelemetryServer.open(TelemetryServer.portFor(simulation.agentPort()), studio.telemetry());
+    }
+
+    private static String text(JsonObject request, String key, String other) {
+        JsonElement value = request.get(key);
+        return value == null ? other : value.isJsonPrimitive() ? value.getAsString() : value.toString();
+    }
+
+    /** A robot that stands on the pitch, as the tests describe it; what is missing has a default. */
+    private static final class Robot {
+
+        private TeamSide side = TeamSide.LEFT;
+        private int number = 1;
+        private int type;
+        private double x = -0.8;
+        private double y = 0.3;
+        private double heading;
+        private Map<Joint, Double> posture = Posture.STANDING;
+
+        void joins(TestSimulator simulation) {
+            simulation.withRobot(
+                    RobotType.values()[type], side, number, x, y, heading, new EnumMap<>(posture));
+        }
+    }
+
+    TestSimulator simulation() {
+        return simulation;
+    }
+
+    /** Returns an address of the page, which works once. */
+    String address() {
+        return studio.oneTimeAddress().toString();
+    }
+
+    /** Executes a command of the page that changes the world. */
+    void order(String command) {
+        StudioRequest request = StudioRequestReader.read(command);
+        List<Order> orders = request instanceof StudioRequest.Change change
+                ? change.orders()
+                : ((StudioRequest.Orders) request).orders();
+        orders.forEach(simulation::order);
+    }
+
+    @Override
+    public void close() {
+        studio.close();
+        programs.close();
+        course.close();
+        telemetry.close();
+        simulation.close();
+    }
+}

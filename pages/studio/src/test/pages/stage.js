@@ -1,0 +1,100 @@
+/** Studios for the tests, which run in one Java process. */
+import { spawn } from 'node:child_process';
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { delimiter, dirname, join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { after } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { atEnd } from './tests.js';
+
+/** Class path of the tests of `app`, as it is after `./mvnw package`. */
+const PACKAGED = ['app/target/test-classes', 'pages/studio/target/test-classes', 'app/target/robonewbie.jar']
+  .map((path) => fileURLToPath(new URL(`../../../../../${path}`, import.meta.url)))
+  .join(delimiter);
+const JAVA = [
+  '-XX:TieredStopAtLevel=1',
+  '-XX:+UseSerialGC',
+  '-Xshare:auto',
+  '-cp',
+  process.env.STAGE_CLASS_PATH ?? PACKAGED,
+];
+
+let shared;
+after(() => shared?.process.stdin.end());
+
+/** Starts the process, which answers each line with a line. */
+function startStage() {
+  const process = spawn('java', [...JAVA, 'org.robonewbie.studio.Stage'], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const answers = createInterface({ input: process.stdout })[Symbol.asyncIterator]();
+  let last = Promise.resolve();
+
+  async function asked(request) {
+    process.stdin.write(`${JSON.stringify(request)}\n`);
+    const { value, done } = await answers.next();
+    const { error, ...answer } = done ? { error: 'The Java process has ended.' } : JSON.parse(value);
+    if (error) {
+      throw new Error(error);
+    }
+    return answer;
+  }
+
+  function ask(request) {
+    const answer = last.then(() => asked(request));
+    last = answer.catch(() => undefined);
+    return answer;
+  }
+  return { process, ask };
+}
+
+/**
+ * Makes a folder that is deleted after the test.
+ *
+ * @param {import('node:test').TestContext} t
+ * @param {Record<string, string | Uint8Array>} files names and contents
+ */
+export async function folderWith(t, files = {}) {
+  const folder = await mkdtemp(join(tmpdir(), 'robonewbie-'));
+  atEnd(t, () => rm(folder, { recursive: true, force: true, maxRetries: 5 }));
+  for (const [name, content] of Object.entries(files)) {
+    await mkdir(dirname(join(folder, name)), { recursive: true });
+    await writeFile(join(folder, name), content);
+  }
+  return folder;
+}
+
+/**
+ * What a studio shows: robots that hold a posture, or a world that waits for its first robot.
+ *
+ * @typedef {{ side?: 'LEFT' | 'RIGHT', number?: number, type?: number, x?: number, y?: number, heading?: number,
+ *   posture?: Record<string, number> }} Robot one of the left team comes first; the posture has degrees by names of joints
+ * @typedef {{ robots?: Robot[], isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
+ *   recordings?: string[] }} World `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall
+ */
+
+/**
+ * Opens a studio until the test ends.
+ *
+ * @param {import('node:test').TestContext} t
+ * @param {string} folder folder of its programs, motions, recordings and progress
+ * @param {World} world
+ */
+export async function openStage(t, folder, world) {
+  const { ask } = (shared ??= startStage());
+  const { id } = await ask({ do: 'open', folder, ...world });
+  let closing;
+  const close = () => (closing ??= ask({ do: 'close', id }));
+  atEnd(t, close);
+  return {
+    /** Returns an address of the page, which works once. */
+    address: async () => (await ask({ do: 'address', id })).address,
+
+    /** Changes the world by a command of the page, such as `{do: 'step', cycles: 50}`. */
+    order: (order) => ask({ do: 'order', id, order }),
+
+    /** Returns cycle, isPaused, speed, playMode, score, ball `{x, y, z}`, and robots with team, number, place, heading and degrees. */
+    world: () => ask({ do: 'world', id }),
+
+    close,
+  };
+}

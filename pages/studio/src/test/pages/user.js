@@ -1,0 +1,279 @@
+/** A person before a page, who sees what is visible and uses what has a role and a name. */
+import assert from 'node:assert/strict';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { openPage } from './browser.js';
+import { folderWith, openStage } from './stage.js';
+import { serve } from './static-server.js';
+import { atEnd } from './tests.js';
+
+const WEB_EDITION = process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
+const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
+const POLL_MILLIS = 25;
+const PATIENCE_SECONDS = 60;
+
+/**
+ * Opens the studio on a fresh page.
+ *
+ * @param {import('node:test').TestContext} t
+ * @param {import('./stage.js').World & { room?: string, files?: Record<string, string | Uint8Array>, quality?: string, theme?: string,
+ *   width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object, before?: () => void }} options
+ *   the files lie in the folder of programs, motions, recordings and progress
+ */
+export async function openStudio(t, options = {}) {
+  const { files, room = 'field', quality = 'lowest', theme = 'light', ...others } = options;
+  const { width, height, isNewcomer, isSharp, browser, before, ...world } = others;
+  const folder = await folderWith(t, files);
+  const stage = await openStage(t, folder, world);
+  const user = await newUser(t, { width, height, isNewcomer, isSharp, browser, before });
+  const visit = async (to = room) => user.visits(`${await stage.address()}&quality=${quality}&theme=${theme}#${to}`);
+  await visit();
+  return { folder, stage, user, visit };
+}
+
+/**
+ * Opens the web edition on a fresh page.
+ *
+ * @param {import('node:test').TestContext} t
+ * @param {{ to?: string, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object,
+ *   before?: () => void }} options `to` is what follows the address of the folder, such as `#program`
+ */
+export async function openWebEdition(t, { to = '', ...look } = {}) {
+  const server = await serve(t, WEB_EDITION);
+  const user = await newUser(t, look);
+  const visit = (place = to) => user.visits(server.address + place);
+  await visit();
+  return { server, user, visit };
+}
+
+/** Opens an empty page for a user, of which the page must not complain until the test ends. */
+export async function newUser(t, look = {}) {
+  const { page, complaints } = await openPage(t, look);
+  return new User(t, page, complaints);
+}
+
+/** Returns Puppeteer's selector of what has a role and a name in the accessibility tree. */
+const named = (role, name) => `::-p-aria([role="${role}"][name="${name.replaceAll('"', '\\"')}"])`;
+
+const matches = (text, wanted) => (typeof wanted === 'string' ? text.includes(wanted) : wanted.test(text));
+
+/** Returns all visible text, including that in shadow trees. */
+function visibleText() {
+  const texts = [document.body.innerText];
+  const walk = (root) => {
+    for (const host of [...root.querySelectorAll('*')].filter((each) => each.shadowRoot && each.checkVisibility())) {
+      texts.push(...[...host.shadowRoot.children].map((child) => child.innerText ?? ''));
+      walk(host.shadowRoot);
+    }
+  };
+  walk(document);
+  return texts.join('\n').replaceAll('\u00a0', ' ');
+}
+
+function paste(field, text) {
+  const clipboardData = new DataTransfer();
+  clipboardData.setData('text/plain', text);
+  field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+}
+
+class User {
+  #expected = /^$/;
+
+  constructor(t, page, complaints) {
+    this.page = page;
+    this.complaints = complaints;
+    atEnd(t, () =>
+      assert.deepEqual(
+        complaints.filter((each) => !this.#expected.test(each)),
+        [],
+      ),
+    );
+  }
+
+  /** Lets the page complain of what matches. */
+  expectsComplaints(pattern) {
+    this.#expected = pattern;
+  }
+
+  /** Leaves the page for another address, even if only the fragment differs. */
+  async visits(address) {
+    await this.page.goto('about:blank');
+    await this.page.goto(address);
+  }
+
+  /** Returns all visible text. */
+  text() {
+    return this.page.evaluate(visibleText);
+  }
+
+  /** Waits until text is visible: a string that is contained, or a pattern. */
+  async sees(text) {
+    await this.until(
+      async () => matches(await this.text(), text),
+      () => `sees ${text}`,
+    );
+  }
+
+  /** Waits until text is not visible. */
+  async seesNo(text) {
+    await this.until(
+      async () => !matches(await this.text(), text),
+      () => `sees no ${text}`,
+    );
+  }
+
+  /** Waits until what has this role and name is visible, and returns its handle. */
+  async finds(role, name) {
+    return this.#told(`finds ${role} "${name}"`, () => this.page.waitForSelector(named(role, name), { visible: true }));
+  }
+
+  /** Waits until nothing visible has this role and name. */
+  async findsNo(role, name) {
+    await this.#told(`finds no ${role} "${name}"`, () =>
+      this.page.waitForSelector(named(role, name), { hidden: true }),
+    );
+  }
+
+  /** Clicks what has this role and name, as soon as it is visible and enabled. */
+  async clicks(role, name) {
+    await this.#told(`clicks ${role} "${name}"`, () => this.page.locator(named(role, name)).click());
+  }
+
+  /** Fills a field, chooses an option by its value or moves a slider, as soon as it is enabled. */
+  async fills(role, name, value) {
+    await this.#told(`fills ${role} "${name}"`, () => this.page.locator(named(role, name)).fill(value));
+  }
+
+  /** Replaces the program in the editor, as by pasting, once there is one. */
+  async writes(text) {
+    const editor = await this.finds('textbox', EDITOR);
+    await this.reads('textbox', EDITOR, /\S/);
+    await editor.focus();
+    await this.presses('Control+a');
+    await editor.evaluate(paste, text);
+  }
+
+  /** Types text where the focus is. */
+  async types(text) {
+    await this.page.keyboard.type(text);
+  }
+
+  /** Presses keys one after the other, such as `Escape` or `Control+s`. */
+  async presses(...strokes) {
+    for (const stroke of strokes) {
+      const keys = stroke.split(/(?<=.)\+/);
+      for (const key of keys) {
+        await this.page.keyboard.down(key);
+      }
+      for (const key of keys.reverse()) {
+        await this.page.keyboard.up(key);
+      }
+    }
+  }
+
+  /** Drags the mouse from a point `[x, y]` of the page to another, with keys held down. */
+  async drags(from, to, ...keys) {
+    const { keyboard, mouse } = this.page;
+    await mouse.move(...from);
+    for (const key of keys) {
+      await keyboard.down(key);
+    }
+    await mouse.down();
+    await mouse.move(...to, { steps: 4 });
+    await mouse.up();
+    for (const key of keys) {
+      await keyboard.up(key);
+    }
+  }
+
+  /** Returns the point `[x, y]` of the page at which the 3D picture shows a point of the pitch, in metres. */
+  async pointOf(x, y, z) {
+    return this.page.evaluate(
+      (...point) => {
+        const { stage, camera } = studio.view;
+        const box = stage.getBoundingClientRect();
+        const at = new camera.position.constructor(...point).project(camera);
+        return [box.left + ((at.x + 1) / 2) * box.width, box.top + ((1 - at.y) / 2) * box.height];
+      },
+      x,
+      y,
+      z,
+    );
+  }
+
+  /** Waits until the visible text of an element matches, and returns it. */
+  async reads(role, name, text = '') {
+    const element = await this.finds(role, name);
+    let read = '';
+    await this.until(
+      async () => matches((read = await element.evaluate((node) => node.innerText)), text),
+      () => `reads ${text} in ${role} "${name}", which says ${read}`,
+    );
+    return read;
+  }
+
+  /** Waits until a field has a value. */
+  async readsValue(role, name, value) {
+    const field = await this.finds(role, name);
+    let read = '';
+    await this.until(
+      async () => (read = await field.evaluate((node) => String(node.value))) === value,
+      () => `reads ${value} in ${role} "${name}", which has ${read}`,
+    );
+  }
+
+  /** Returns the name and the bytes of the file that an action saves on this computer; in Chromium only. */
+  async downloads(action) {
+    const folder = await mkdtemp(join(tmpdir(), 'download-'));
+    const session = await this.page.createCDPSession();
+    try {
+      const rule = { behavior: 'allow', downloadPath: folder, eventsEnabled: true };
+      await session.send('Browser.setDownloadBehavior', { ...rule, browserContextId: this.page.browserContext().id });
+      let name = '';
+      session.on('Browser.downloadWillBegin', (begin) => (name = begin.suggestedFilename));
+      const done = new Promise((resolve) => {
+        session.on('Browser.downloadProgress', ({ state }) => state === 'completed' && resolve(true));
+      });
+      await action();
+      await done;
+      return { name, bytes: await readFile(join(folder, name)) };
+    } finally {
+      await rm(folder, { recursive: true, force: true });
+    }
+  }
+
+  /** Takes a picture of the page, which must be sharp, and keeps it in the folder that the environment variable PICTURES names. */
+  async takesAPicture(name) {
+    const picture = Buffer.from(await this.page.screenshot());
+    if (process.env.PICTURES) {
+      await writeFile(join(process.env.PICTURES, `${name}.png`), picture);
+    }
+    return picture;
+  }
+
+  /** Waits until a condition holds, which may be a promise; `what` describes it in the message of a failure. */
+  async until(condition, what = () => String(condition)) {
+    const end = Date.now() + 1000 * PATIENCE_SECONDS;
+    await this.#told(what(), async () => {
+      while (!(await condition())) {
+        assert.ok(Date.now() < end, `not within ${PATIENCE_SECONDS} s: ${what()}`);
+        await new Promise((resolve) => setTimeout(resolve, POLL_MILLIS));
+      }
+    });
+  }
+
+  /** Runs an action; if it fails, the message says what the user was about to do and what the page shows. */
+  async #told(what, action) {
+    try {
+      return await action();
+    } catch (error) {
+      const text = await this.text().catch(String);
+      const complaints = this.complaints.join('; ') || 'nothing';
+      throw new Error(`The user ${what}: ${error}\nThe page complains of: ${complaints}\nThe page shows:\n${text}`, {
+        cause: error,
+      });
+    }
+  }
+}
