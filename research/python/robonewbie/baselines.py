@@ -3,7 +3,7 @@
     python -m robonewbie.baselines                  all tasks, into the folder baselines
     python -m robonewbie.baselines Stand KickTo     these tasks
 
-Interrupted trainings are resumed, and complete ones are not repeated. For each task it prints a row of the table in docs/policies.md:
+Interrupted trainings are resumed, and complete ones are not repeated. For each task it prints a row, of which docs/policies.md shows a part:
 returns during training, and returns of the policies and of a zero-action baseline in 256 evaluation episodes.
 """
 
