@@ -180,7 +180,8 @@ public final class MotionPlayer {
      * Finds the joints and keyframes for which the motion exceeds the maximum speed of a motor.
      *
      * @param motors the motors, which determine the initial posture
-     * @param fromKeyframe zero-based index of the first keyframe to check; 1 if the robot may take longer to reach keyframe 0
+     * @param fromKeyframe zero-based index of the first keyframe to check; 1 to skip keyframe 0, which the robot may take
+     *     longer to reach
      * @return one sentence for each joint and keyframe that is too fast
      */
     public List<String> problems(Motors motors, int fromKeyframe) {

@@ -121,7 +121,7 @@ public final class SimulationCycle implements Restorable {
      * Adds an agent.
      *
      * @param link its connection
-     * @param strict whether sync mode waits for it from its first message on
+     * @param strict whether sync mode waits for the agent from its first message on
      */
     public void connect(ServerLink link, boolean strict) {
         agents.add(new AgentSession(new AgentChannel(link, synchronous, strict, console)));

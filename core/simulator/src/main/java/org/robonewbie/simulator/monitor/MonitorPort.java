@@ -235,7 +235,7 @@ public final class MonitorPort implements AutoCloseable {
         notifyAll();
     }
 
-    /** Reports a problem, but each one only once. */
+    /** Reports a problem unless the same one has been reported before. */
     private void warn(String sentence) {
         if (warnings.size() < MAX_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);

@@ -108,7 +108,7 @@ final class SettingAdvice {
         return first.isWord("run") ? "run \"FILE\"" : "addSoccerVar('NAME', VALUE) on a separate line";
     }
 
-    /** Returns an abbreviated token for messages. */
+    /** Returns a token in abbreviated form, for messages. */
     static String quoted(RubyToken token) {
         return token.kind() == Kind.STRING
                 ? "'" + token.text() + "'"
