@@ -33,12 +33,12 @@ public final class ArrayCopy {
         }
     }
 
-    /** {@return whether an array type in descriptor notation has primitive elements, possibly nested} */
+    /** {@return whether an array descriptor denotes an array of primitives, possibly nested} */
     static boolean isOfNumbers(String type) {
         return !type.endsWith(";");
     }
 
-    /** {@return whether a value is an array of a primitive type in descriptor notation} */
+    /** {@return whether a value is a primitive array of the type that a descriptor denotes} */
     static boolean isArray(@Nullable Object value, String type) {
         return switch (type) {
             case "[D" -> value instanceof double[];

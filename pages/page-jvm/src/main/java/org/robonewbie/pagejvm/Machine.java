@@ -75,7 +75,7 @@ public final class Machine {
     /**
      * Prepares to run a main method with {@link #resume}.
      *
-     * @param type name of its class, with slashes
+     * @param type internal name of its class
      * @param arguments its arguments
      */
     public void begin(String type, String... arguments) {
@@ -87,7 +87,7 @@ public final class Machine {
     /**
      * Creates an instance of a student's class with the no-arg constructor.
      *
-     * @param type name of the class, with slashes
+     * @param type internal name of the class
      * @return the instance
      */
     public Object create(String type) {

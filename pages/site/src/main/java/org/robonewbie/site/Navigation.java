@@ -74,7 +74,7 @@ final class Navigation {
         return chapters;
     }
 
-    /** Returns the first chapter with an article. */
+    /** Returns the first chapter that contains an article. */
     Optional<Chapter> chapterOf(Article article) {
         return chapters.stream()
                 .filter(chapter -> chapter.address().equals(article.address())

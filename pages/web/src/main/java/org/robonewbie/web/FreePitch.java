@@ -24,7 +24,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** The beginners' world with free play: shipped agents, manually controlled robots (puppets) and one student's program. */
+/** The beginners' world with free play: example agents, manually controlled robots (puppets) and one student's program. */
 final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
