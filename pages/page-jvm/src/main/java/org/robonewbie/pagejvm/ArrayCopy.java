@@ -4,8 +4,8 @@ import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Copies arrays and checks their types; TeaVM 0.15.0 fails to do so for primitive arrays whose type is not known
- * statically.
+ * Copies arrays and checks their types, which TeaVM 0.15.0 does incorrectly for primitive arrays whose type is not
+ * known statically.
  */
 public final class ArrayCopy {
 

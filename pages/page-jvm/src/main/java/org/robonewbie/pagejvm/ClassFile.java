@@ -35,7 +35,7 @@ record ClassFile(
      * @param name its name
      * @param descriptor its type
      * @param isStatic whether it is static
-     * @param constant its initial value, if it has one
+     * @param constant its constant value, if it has one
      */
     record Field(String name, String descriptor, boolean isStatic, java.util.Optional<Object> constant) {}
 

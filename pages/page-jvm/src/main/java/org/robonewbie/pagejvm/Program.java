@@ -19,7 +19,7 @@ public final class Program {
      * Loads a program.
      *
      * @param classFiles contents of the class files
-     * @throws IllegalArgumentException if one is malformed or extends a class that the page does not support; the message is shown to the
+     * @throws IllegalArgumentException if a class is malformed or extends one that the page does not support; the message is shown to the
      *     user
      */
     public Program(Collection<byte[]> classFiles) {

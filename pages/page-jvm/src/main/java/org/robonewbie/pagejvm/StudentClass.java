@@ -62,7 +62,7 @@ final class StudentClass {
     /**
      * Finds a method in this class or its supertypes.
      *
-     * @param key its name and descriptor
+     * @param key name and descriptor of the method
      * @return the method; empty if no class of the student declares it
      */
     Optional<StudentMethod> find(String key) {

@@ -18,7 +18,7 @@ final class Commit {
     private Commit() {}
 
     /**
-     * Returns the first digits of the commit's id, followed by {@code -modified} if a file differs from it.
+     * Returns the first digits of the commit's id, followed by {@code -modified} if a file differs from the commit.
      *
      * @param root folder of the project
      * @return the id; empty if the folder is neither a working tree nor an archive of a commit

@@ -107,7 +107,7 @@ final class PageContext {
         pitch = Optional.empty();
     }
 
-    /** Executes a command from the page, one JSON object. */
+    /** Executes a command from the page, given as a JSON object. */
     static void ask(String command) {
         if (world != null) {
             world.ask(command);
