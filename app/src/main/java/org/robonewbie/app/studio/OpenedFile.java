@@ -91,7 +91,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         return new OpenedFile(StudioFolders.ofWorkingDirectory(), PROGRAM_PLACE + encoded(path), folder);
     }
 
-    /** {@return the path of the program relative to {@link #programs}, with slashes; empty for another file} */
+    /** {@return the path of the program relative to {@link #programs}, separated by slashes; empty for other files} */
     Optional<String> program() {
         return Optional.of(place)
                 .filter(each -> each.startsWith(PROGRAM_PLACE))

@@ -112,7 +112,7 @@ public final class AgentMeasurement {
     /**
      * Plays all games and prints a Markdown table.
      *
-     * @param part substring that the names of the playing agents contain
+     * @param part substring of the names of the agents to measure; empty for all
      * @param json file for the results; empty for none
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if no name contains the substring

@@ -241,7 +241,7 @@ public final class KickChoice {
         return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 
-    /** Returns the probability of being first, as a logistic function of the lead. */
+    /** Converts a lead, relative to its uncertainty, to a probability of success (logistic function). */
     private static double probability(double lead) {
         return 1 / (1 + PortableMath.exp(-lead));
     }
