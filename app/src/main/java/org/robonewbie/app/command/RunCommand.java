@@ -83,7 +83,7 @@ final class RunCommand implements Callable<Integer> {
         return run(agentAndOptions.get(0), program, options);
     }
 
-    /** Runs a program, whose studio opens the file, class or example with the given name. */
+    /** Runs a program; its studio opens the file, class or example with the given name. */
     static int run(String name, Program program, List<String> options) {
         List<String> ofRobot = without(SIMULATOR, options);
         ofRobot.removeAll(SIMULATOR_FLAGS);

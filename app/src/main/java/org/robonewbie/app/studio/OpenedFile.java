@@ -67,7 +67,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
 
-    /** Address fragment that opens a motion from the studio's folder in the motion editor. */
+    /** Returns the URL fragment that opens a motion from the studio's folder in the motion editor. */
     static String motionPlace(Path file) {
         String name = String.valueOf(file.getFileName());
         return "#motion/" + encoded(name.substring(0, name.length() - MOTION.length()));

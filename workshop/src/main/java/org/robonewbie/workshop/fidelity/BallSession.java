@@ -36,7 +36,10 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /** Records one case. Returns one line per cycle, with the ball where the monitor received a full scene. */
+    /**
+     * Records one case. Returns one line per cycle, with the ball's position if the monitor received a full scene in this
+     * cycle.
+     */
     List<String> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);

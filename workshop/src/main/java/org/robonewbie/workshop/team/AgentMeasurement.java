@@ -136,7 +136,7 @@ public final class AgentMeasurement {
         return results;
     }
 
-    /** {@return what each measured agent has to do, by the name of the agent, in the order of the table} */
+    /** {@return the task of each measured agent, keyed by its name, in the order of the printed table} */
     public static Map<String, String> rules() {
         Map<String, String> rules = new LinkedHashMap<>();
         tasks().forEach(task -> rules.put(task.name, task.rule));

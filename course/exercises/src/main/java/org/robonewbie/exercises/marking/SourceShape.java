@@ -34,8 +34,8 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
     /**
-     * Keywords and literals, without primitive types such as {@code int}, which may precede a declared name as class names
-     * do. The class {@code javax.lang.model.SourceVersion}, which lists keywords, is missing in the web edition.
+     * Keywords and literals, without primitive types such as {@code int}: like class names, these may precede a declared
+     * name. The class {@code javax.lang.model.SourceVersion}, which lists keywords, is missing in the web edition.
      */
     private static final Set<String> KEYWORDS = Set.of(
             ("abstract assert break case catch class const continue default do else enum extends final finally for goto if"

@@ -47,7 +47,7 @@ public final class ProcessTree implements AutoCloseable {
         return new ProcessTree(builder.start(), workFolder, mark);
     }
 
-    /** {@return the first process} */
+    /** {@return the process that was started, the root of the tree} */
     public Process process() {
         return process;
     }

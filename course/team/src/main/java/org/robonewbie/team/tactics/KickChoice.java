@@ -153,7 +153,10 @@ public final class KickChoice {
         return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
     }
 
-    /** Returns the probability that no opponent interferes in the meantime; in pass mode the referee keeps opponents away. */
+    /**
+     * Returns the probability that no opponent interferes within the given time; in pass mode the referee keeps opponents
+     * away.
+     */
     private double undisturbed(double seconds) {
         if (world.situation() == Situation.OUR_PASS) {
             return 1;

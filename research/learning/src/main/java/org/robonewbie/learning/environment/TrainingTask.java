@@ -158,7 +158,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                         .toList();
     }
 
-    /** {@return the joints that an action moves, by default those of both legs; the others hold still} */
+    /** {@return the joints that an action moves, by default those of both legs; all other joints hold still} */
     public List<Joint> joints() {
         return LEGS;
     }
@@ -176,7 +176,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return false;
     }
 
-    /** {@return the components of the observation in addition to the perceptors, by default none} */
+    /** {@return the components of the observation in addition to the sensor readings, by default none} */
     public List<ObservedQuantity> extraQuantities() {
         return List.of();
     }
