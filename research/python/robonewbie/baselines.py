@@ -3,7 +3,7 @@
     python -m robonewbie.baselines                  all tasks, into the folder baselines
     python -m robonewbie.baselines Stand KickTo     these tasks
 
-Interrupted training runs are resumed; complete ones are not repeated. Prints a row of the table in docs/policies.md for each task:
+Interrupted training runs are resumed; complete ones are not repeated. Prints a row for each task, part of which is shown in docs/policies.md:
 returns during training, and returns of the policies and of a zero-action baseline in 256 evaluation episodes.
 """
 
