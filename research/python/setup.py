@@ -1,4 +1,4 @@
-"""Tells the installed package where RoboNewbie is: the jar of a release travels inside, else it is the folder that this lies in."""
+"""Tells the installed package where RoboNewbie is: it includes the jar of a release, or else the path of this source tree."""
 
 import os
 import shutil

@@ -22,7 +22,7 @@ public class TrialSpeed {
     public static void main(String[] arguments) {
         try (Trial trial = Trial.direct(Scene.of(RobotStart.at(1.5, 0).after("stand")), 1, swaying())) {
             for (int i = 0; i < 3; i++) {
-                steps(trial); // Java compiles what is used most
+                steps(trial); // warms up the JIT compiler
             }
             double step = steps(trial);
             double reset = resets(trial);
@@ -53,7 +53,7 @@ public class TrialSpeed {
         return (CLOCK.getCurrentThreadCpuTime() - before) / 1e3 / STEPS;
     }
 
-    /** Runs some steps between two resets, so that there is something to reset; they are not included in the time. */
+    /** Runs a few untimed steps between two resets, so that there is something to reset. */
     private static double resets(Trial trial) {
         long spent = 0;
         for (int i = 0; i < RESETS; i++) {

@@ -1,6 +1,6 @@
-"""Compares the search of ``optimise`` with the package ``cma``: ``python research/python/benchmarks/beside_cma.py``.
+"""Compares the search used by ``optimise`` with the package ``cma``: ``python research/python/benchmarks/beside_cma.py``.
 
-Needs ``pip install ./research/python cma``. Prints how many trials each needs until the cost is below 1e-9: the median of the seeds.
+Needs ``pip install ./research/python cma``. Prints how many trials each needs to reach a cost of 1e-9 (median over the seeds).
 """
 
 import argparse
@@ -37,7 +37,7 @@ def rastrigin(x):
 
 
 def theirs(name, count, seed):
-    """Trials that ``cma`` needs with its defaults; Rastrigin needs restarts."""
+    """Returns the number of trials that ``cma`` needs with its default settings, and with restarts for Rastrigin's function."""
     cost, hard = globals()[name], name == "rastrigin"
     trials, best = 0, np.inf
 
@@ -55,7 +55,7 @@ def theirs(name, count, seed):
 
 
 def main(words=None):
-    """Counts, and prints the table."""
+    """Counts the trials and prints the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=11, help="how often each function is minimised (11)")
     wanted = parser.parse_args(words)

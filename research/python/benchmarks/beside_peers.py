@@ -1,7 +1,8 @@
-"""Measures RoboNewbie beside MuJoCo and Gymnasium, by turns in one run: ``python research/python/benchmarks/beside_peers.py``.
+"""Compares the speed of RoboNewbie, MuJoCo and Gymnasium, measured in turn: ``python research/python/benchmarks/beside_peers.py``.
 
-Needs ``pip install ./research/python "gymnasium[mujoco]"``. All figures are processor time of all processes together, in microseconds; a machine that does something else
-changes them less than it changes the clock, and all rows alike. The median of the rounds counts.
+Needs ``pip install ./research/python "gymnasium[mujoco]"``. All values are processor time in microseconds, summed over all
+processes. Other load on the machine affects them less than it affects elapsed time, and affects all rows alike. The result is the median
+over the rounds.
 """
 
 import argparse
@@ -24,7 +25,7 @@ CYCLE_SECONDS = 0.02
 
 
 def spent(process=None):
-    """Processor time of this process so far, and of another one, in seconds."""
+    """Returns the processor time used so far by this process, plus that of another one if given, in seconds."""
     own = sum(os.times()[:2])
     if process is None:
         return own
@@ -33,7 +34,7 @@ def spent(process=None):
 
 
 def mujoco_steps(integrator, timestep, steps=3000):
-    """What MuJoCo needs for 20 ms of its humanoid, whose joints keep moving."""
+    """Returns the time that MuJoCo needs for 20 ms of its humanoid, whose joints keep moving."""
     path = Path(gymnasium.__file__).parent / "envs" / "mujoco" / "assets" / "humanoid.xml"
     model = mujoco.MjModel.from_xml_path(str(path))
     model.opt.integrator, model.opt.timestep = integrator, timestep
@@ -49,7 +50,7 @@ def mujoco_steps(integrator, timestep, steps=3000):
 
 
 def humanoid(steps=2000):
-    """What Gymnasium's Humanoid-v5 needs for 20 ms, with random actions."""
+    """Returns the time that Gymnasium's Humanoid-v5 needs for 20 ms with random actions."""
     env = gymnasium.make("Humanoid-v5")
     env.reset(seed=1)
     env.action_space.seed(1)
@@ -65,7 +66,7 @@ def humanoid(steps=2000):
 
 
 def robots(task, sway, steps=250, warm_up=2000):
-    """What a step of one of 64 robots needs through Python; ``sway`` is the largest action."""
+    """Returns the time per robot for a step of 64 robots through Python; ``sway`` is the largest action."""
     env = gymnasium.make_vec(f"RoboNewbie/{task}-v1", num_envs=ROBOTS)
     env.reset(seed=1)
     random = np.random.default_rng(1)
@@ -85,7 +86,7 @@ def robots(task, sway, steps=250, warm_up=2000):
 
 
 def _java_below(process):
-    """The launcher may have started Java as its child."""
+    """Returns the Java process, which the launcher may have started as its child."""
     children = Path(f"/proc/{process}/task/{process}/children").read_text(encoding="ascii").split()
     return _java_below(int(children[0])) if children else process
 
@@ -96,12 +97,12 @@ def java(*words):
 
 
 def trial():
-    """Step and reset without Python."""
+    """Returns the times for a step and a reset without Python."""
     return json.loads(java("run", str(HERE / "TrialSpeed.java")))
 
 
 def measure():
-    """One round of all rows: name and figure."""
+    """Measures one round; yields the name and the value of each row."""
     yield "MuJoCo's mj_step, Humanoid, RK4 of 3 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_RK4, 0.003)
     yield "the same, Euler of 5 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_EULER, 0.005)
     alone = trial()
@@ -113,7 +114,7 @@ def measure():
 
 
 def main(words=None):
-    """Measures, and prints the table."""
+    """Runs the measurements and prints the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=3, help="how often all is measured (3)")
     wanted = parser.parse_args(words)

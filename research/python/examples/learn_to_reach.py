@@ -1,4 +1,4 @@
-"""A robot learns to bring its arm to any point, by the cross-entropy method; a few minutes on two cores.
+"""A robot learns to move its arm to any point by the cross-entropy method, in a few minutes on two cores.
 
 ``learn_to_reach.py 10`` stops after 10 generations instead of 30.
 """
@@ -8,7 +8,7 @@ import sys
 import gymnasium
 import numpy as np
 
-import robonewbie  # makes the tasks known
+import robonewbie  # registers the tasks
 
 CANDIDATES, BEST, TARGETS = 48, 8, 4
 GENERATIONS = int(sys.argv[1]) if len(sys.argv) > 1 else 30
@@ -18,7 +18,7 @@ target = [robots.unwrapped.observation_names.index(f"target.{axis}") for axis in
 
 
 def mean_centimetres(policies, seed):
-    """Tries each policy with the same targets; the arm has half a second to get there."""
+    """Returns each policy's mean distance to the same targets, after half a second to reach them."""
     distances = np.zeros(CANDIDATES)
     for i in range(TARGETS):
         observation, _ = robots.reset(seed=[seed + i] * CANDIDATES)

@@ -1,4 +1,4 @@
-"""Gymnasium environments of a simulated NAO humanoid robot.
+"""Gymnasium environments for a simulated NAO humanoid robot.
 
 >>> import gymnasium, robonewbie
 >>> env = gymnasium.make("RoboNewbie/Walk-v1")

@@ -1,9 +1,9 @@
-"""Reproduces the baselines of docs/policies.md: PPO of Stable-Baselines3 with three seeds for each task, and their learning curves.
+"""Reproduces the baselines in docs/policies.md: trains each task by Stable-Baselines3's PPO with three seeds, and plots the learning curves.
 
     python -m robonewbie.baselines                  all tasks, into the folder baselines
     python -m robonewbie.baselines Stand KickTo     these tasks
 
-Interrupted trainings are resumed, and complete ones are not repeated. For each task it prints a row of the table in docs/policies.md:
+Interrupted training runs are resumed; complete ones are not repeated. Prints a row for each task, part of which is shown in docs/policies.md:
 returns during training, and returns of the policies and of a zero-action baseline in 256 evaluation episodes.
 """
 
@@ -19,13 +19,13 @@ from robonewbie import curve, evaluate, train
 SEEDS = (1, 2, 3)
 EVALUATED = 256
 
-# Five epochs instead of ten halve the time in Python.
+# Five epochs instead of the default ten halve the time spent in Python.
 COMMON = ["--n-epochs", "5"]
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """Training settings of a task: the total number of cycles, arguments of robonewbie.train, and options of the task."""
+    """Training settings for a task: the total number of cycles, arguments of robonewbie.train, and options of the task."""
 
     cycles: int
     settings: str
@@ -33,18 +33,18 @@ class Baseline:
 
     @property
     def words(self):
-        """The arguments of robonewbie.train."""
+        """The arguments for robonewbie.train."""
         timesteps = self.cycles // int(train.options_of(self.options).get("cycles", 1))
         options = (word for option in self.options for word in ("--option", option))
         return ["--total-timesteps", str(timesteps), *COMMON, *self.settings.split(), *options]
 
 
 def _log_std(deviation, inputs=1):
-    """Returns the initial log standard deviation of a weight; with gSDE the noise of all inputs of the last layer adds up."""
+    """Returns the initial log standard deviation for a given deviation of the actions; with gSDE, the noise from all inputs adds up."""
     return float(np.log(deviation / np.sqrt(inputs)))
 
 
-# Noise that is held for many actions makes the consequences of an exploratory action visible.
+# Noise that stays constant for several actions (gSDE) makes the consequences of exploration visible.
 _ENGINE = Baseline(
     4_000_000,
     "--n-envs 512 --n-steps 32 --batch-size 4096 --learning-rate 0.001 --gamma 0.99"
@@ -77,7 +77,7 @@ TASKS = {
 
 
 def train_seed(task, seed, folder):
-    """Trains or resumes one seed, and returns the file of its policy."""
+    """Starts or resumes the training run with one seed, and returns the file of its policy."""
     baseline = TASKS[task]
     out = folder / f"{task}-{seed}.policy"
     file = _curve_of(out)
@@ -92,7 +92,7 @@ def _curve_of(policy):
 
 
 def _minutes(file):
-    """Returns the duration of a training; the clock of a curve restarts at each resumption."""
+    """Returns the duration of a training run in minutes; the seconds in its curve restart whenever it is resumed."""
     with open(file, newline="", encoding="utf-8") as lines:
         seconds = [float(row["seconds"]) for row in csv.DictReader(lines)]
     return sum(now for now, after in zip(seconds, [*seconds[1:], 0]) if after < now) / 60
@@ -104,7 +104,7 @@ def _range(numbers, digits=2):
 
 
 def row(task, policies):
-    """Evaluates the policies of all seeds, and returns a row of the table."""
+    """Evaluates the policies of one task, and returns its row of the table."""
     curves = [curve.read(_curve_of(policy)) for policy in policies]
     options = train.options_of(TASKS[task].options)
     learned = [evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), EVALUATED, options=options) for policy in policies]

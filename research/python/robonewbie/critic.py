@@ -1,7 +1,7 @@
-"""Asymmetric actor-critic for Stable-Baselines3: the critic observes the time and may have other inputs than the policy.
+"""Asymmetric actor-critic for Stable-Baselines3: the critic observes the elapsed time and may have different inputs from the policy.
 
-Without the time a critic attributes the effect of early and late steps of an episode to the actions. The critic is used in training
-only, so its inputs need not be available to the policy.
+Without the time, a critic attributes differences between early and late steps of an episode to the actions. The critic is used only in
+training, so its inputs need not be available to the policy.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ from stable_baselines3.common.vec_env import VecEnvWrapper
 
 
 class Timed(VecEnvWrapper):
-    """Appends the elapsed share of the episode to the observation."""
+    """Appends the elapsed fraction of the maximum episode length to the observation."""
 
     def __init__(self, venv, longest):
         space = venv.observation_space

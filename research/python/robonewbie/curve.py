@@ -14,7 +14,7 @@ COLOURS = ["#0b6bcb", "#c2410c", "#15803d", "#7e22ce"]
 
 
 def read(path):
-    """Returns the training cycles (in millions) and the mean return of each row of a curve."""
+    """Returns the training cycles so far (in millions) and the mean return for each row of a learning curve."""
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     cycles, reward, total = [], [], 0
@@ -26,12 +26,12 @@ def read(path):
 
 
 def smoothed(values, window):
-    """Returns the moving average."""
+    """Returns the moving average over the last ``window`` values."""
     return [sum(values[max(0, i - window + 1) : i + 1]) / len(values[max(0, i - window + 1) : i + 1]) for i in range(len(values))]
 
 
 def together(name, curves):
-    """Aggregates the curves of several seeds, truncated to the shortest: name, cycles, mean, minimum and maximum."""
+    """Combines the curves of several seeds, truncated to the shortest; returns name, cycles, mean, minimum and maximum."""
     length = min(len(xs) for xs, _ in curves)
     rewards = list(zip(*(ys[:length] for _, ys in curves)))
     mean = [sum(row) / len(row) for row in rewards]
@@ -39,7 +39,7 @@ def together(name, curves):
 
 
 def svg(curves):
-    """Plots curves, each a name, cycles in millions and returns: a thin line for the values, a thick one for their moving average.
+    """Plots curves, each given as a name, cycles in millions, and returns: a thin line for the returns, a thick one for their moving average.
 
     A curve of several seeds also has minima and maxima, and the area between them is shaded.
     """

@@ -1,4 +1,4 @@
-"""Environment of one robot with the interface of gymnasium.Env, and the base of all other environments."""
+"""Environment for one robot with the interface of gymnasium.Env, and the base class of all environments."""
 
 import sys
 import webbrowser
@@ -26,12 +26,12 @@ class EpisodeSeeds:
                 self._generators[i] = np.random.default_rng(seed)
 
     def draw(self, needed):
-        """Returns a seed for each environment of a boolean mask, and 0 for the others."""
+        """Returns a seed for each environment that a boolean mask selects, and 0 for all others."""
         return np.array([g.integers(SEED_LIMIT) if n else 0 for g, n in zip(self._generators, needed)], dtype=np.int64)
 
 
 def spaces_of(description):
-    """Creates the observation and action space from the description of a task."""
+    """Creates the observation and action spaces from the description of a task."""
     low = np.array([entry["least"] for entry in description["observation"]], dtype=np.float32)
     high = np.array([entry["greatest"] for entry in description["observation"]], dtype=np.float32)
     observation = gymnasium.spaces.Box(low, high, dtype=np.float32)
@@ -40,7 +40,7 @@ def spaces_of(description):
 
 
 class SimulatedTask:
-    """Base of all environments: the connection to the simulator, options of episodes, and rendering."""
+    """Base class of all environments: connection to the simulator, episode options, and rendering."""
 
     def _connect(self, task, count, reward, render_mode, options):
         if render_mode is not None and render_mode not in RENDER_MODES:
@@ -63,7 +63,7 @@ class SimulatedTask:
         return address
 
     def _change(self, options):
-        """Sets the options of the next episode, in addition to those of the constructor."""
+        """Sets options for the next episode, in addition to those of the constructor."""
         if options or self._changed:
             self._connection.change({**self._options, **(options or {})})
             self._changed = bool(options)
@@ -83,15 +83,15 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     joint: -1 to 1 times ``range_degrees``, relative to the initial posture.
 
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
-    ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which the pushes once per second
-    increase), ``delay`` (cycles until an action takes effect), ``cycles`` (per action, 1), ``noise`` (standard deviation of additional
-    noise of joint angles, gyroscope and accelerometer), ``friction`` and ``mass`` (relative, 1), and for ``Follow`` and similar tasks
-    ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each is a number, or a pair (low, high) from which each episode draws.
-    ``reset(options={...})`` changes the next episode.
+    ``x``, ``y``, ``ball_x``, ``ball_y`` (metres), ``heading`` (degrees), ``push`` (increase in newtons from one push to the next, with one
+    push per second), ``delay`` (cycles until an action takes effect), ``cycles`` (per action; default: 1), ``noise`` (standard deviation of
+    additional noise in joint angles, gyroscope and accelerometer), ``friction`` and ``mass`` (relative to the default) and, for ``Follow``
+    and similar tasks, ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each option is a number, or a pair (low, high) from which each
+    episode draws. ``reset(options={...})`` changes only the next episode.
 
-    ``render_mode="human"`` opens the studio, where the robot moves in real time and the page can pause it.
+    ``render_mode="human"`` opens the studio, in which the robot moves in real time and can be paused.
 
-    ``info`` is the true state. To customise a task, override ``observation``, ``reward`` and ``termination``:
+    ``info`` contains the true state. To customise a task, override ``observation``, ``reward`` and ``termination``:
 
     >>> class Crouch(RoboNewbieEnv):
     ...     def reward(self, reward, info):
@@ -109,15 +109,15 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         self.cycles = options.get("cycles", 1)
 
     def observation(self, observation, info):
-        """Returns the observation of a step. Override to derive it from the sensor readings or the true state."""
+        """Returns the observation for a step. Override to derive it from the sensor readings or the true state."""
         return observation
 
     def reward(self, reward, info):
-        """Returns the reward of a step. Override to replace that of the task."""
+        """Returns the reward for a step. Override to replace the task's reward."""
         return reward
 
     def termination(self, terminated, info):
-        """Returns whether the episode is terminated. Override to replace the decision of the task."""
+        """Returns whether the episode is terminated. Override to replace the task's decision."""
         return terminated
 
     def reset(self, *, seed=None, options=None):
@@ -151,7 +151,7 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         return info
 
     def __getstate__(self):
-        """Pickles the arguments of the constructor; unpickling creates a new environment."""
+        """Returns the constructor's arguments for pickling; unpickling creates a new environment."""
         return self._arguments
 
     def __setstate__(self, arguments):

@@ -1,4 +1,4 @@
-"""Evaluates policies in episodes whose seeds no training uses, in comparison with zero actions.
+"""Evaluates policies in episodes with seeds that no training run uses, and compares them with zero actions.
 
     python -m robonewbie.evaluate Stand Stand.policy                  128 episodes each
     python -m robonewbie.evaluate QuickGetUp QuickGetUp.policy --option friction=2 --n-eval-episodes 256
@@ -14,7 +14,7 @@ from robonewbie.environment import EpisodeSeeds
 from robonewbie.simulator import RESET, SKIP, STEP, Connection
 from robonewbie.train import options_of
 
-# The seeds of trainings start at 10 million.
+# The seeds of training runs start at 10 million.
 FIRST_SEED = 1_000_000
 
 
@@ -45,7 +45,7 @@ class PlayedPolicy:
 
 @dataclass(frozen=True)
 class Result:
-    """Returns, lengths in actions, and successes of the episodes."""
+    """The return, the length in actions, and the success of each episode."""
 
     returns: np.ndarray
     actions: np.ndarray
@@ -57,7 +57,7 @@ class Result:
 
 
 def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
-    """Plays all episodes in parallel and returns a Result. Without a policy all actions are zero.
+    """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
     The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it.
     """

@@ -6,8 +6,8 @@ Rollouts of an environment:
 >>> # run a policy in env
 >>> env.close()
 
-Data sets of ``robonewbie record``: ``python -m robonewbie.lerobot dataset games``. Each robot of each run is an episode. The reward of a
-goal is 1, that of a goal of the other team -1.
+Data sets of ``robonewbie record``: ``python -m robonewbie.lerobot dataset games``. Each robot in each run becomes an episode. The
+reward is 1 for a goal by the robot's team, and -1 for a goal by the other team.
 """
 
 import json
@@ -30,7 +30,7 @@ _FILES_PER_CHUNK = 1000
 
 
 class EpisodeWriter:
-    """Writer of a folder of episodes. Files are written atomically; ``meta/info.json`` is written by ``close``."""
+    """Writes episodes to a folder. Files are written atomically; ``meta/info.json`` is written by ``close``."""
 
     def __init__(self, folder, observation_names, action_names, frames_per_second=FRAMES_PER_SECOND):
         self._folder = Path(folder)
@@ -90,7 +90,7 @@ class EpisodeWriter:
         self._files += 1
 
     def close(self):
-        """Completes the folder."""
+        """Writes the remaining frames and the metadata."""
         if self._waiting:
             self._write_file()
         meta = self._folder / "meta"

@@ -1,7 +1,7 @@
 """Converts the tables of ``robonewbie record`` to Apache Parquet (needs ``pip install pyarrow``).
 
 ``python -m robonewbie.parquet dataset`` writes the folder ``dataset/parquet`` with the same tables and columns, typed as in
-``dataset.json``. Missing decimals are null. In a table of several runs each run starts a new row group.
+``dataset.json``. Missing decimals are null. In a table of several runs, each run starts a new row group.
 """
 
 import json
@@ -46,7 +46,7 @@ def read(file, columns):
 
 
 def convert(folder, report=print):
-    """Converts all tables of a data set to its folder ``parquet``, and reports each."""
+    """Converts all tables of a data set into its subfolder ``parquet``, and reports each one."""
     folder = Path(folder)
     known = description(folder)
     facts = {name: value for name, value in known.items() if isinstance(value, str)}

@@ -1,4 +1,4 @@
-"""Software renderer of an environment: boxes for the limbs of each robot, the ball, and the ground."""
+"""Software renderer for an environment: draws a box for each limb of a robot, the ball, and the ground."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ class _Camera:
         self.scale = 1.9 * HEIGHT
 
     def project(self, points):
-        """Returns the pixels and depths of points in metres."""
+        """Projects points, given in metres; returns their pixel coordinates and depths."""
         relative = np.asarray(points, dtype=float) - self.position
         depth = np.maximum(relative @ self.ahead, 1e-9)
         x = WIDTH / 2 + self.scale * (relative @ self.right) / depth

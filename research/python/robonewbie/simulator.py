@@ -41,7 +41,7 @@ def _launcher_in(folder):
 
 
 def _command():
-    """Returns the command of the program: the launcher or jar that ROBONEWBIE names, else one in the usual places."""
+    """Returns the command that starts the program: the launcher or jar that ROBONEWBIE names, or else one in the usual locations."""
     named = os.environ.get("ROBONEWBIE")
     if named:
         path = Path(named).expanduser()
@@ -86,7 +86,7 @@ def _java():
 
 
 def _environment():
-    """Returns an environment with a UTF-8 locale, by which Java decodes file names, as the launcher of robonewbie does."""
+    """Returns environment variables with a UTF-8 locale, which Java uses to decode file names; ``None`` if the current ones suffice."""
     if os.name == "nt":
         return None
     try:
@@ -195,7 +195,7 @@ def _text(name, value):
 
 
 class Connection:
-    """Connection with environments of one task in the simulator."""
+    """Connection to the simulator's environments for one task."""
 
     def __init__(self, task, count, reward="", options=None):
         self._socket = _connect()
@@ -223,9 +223,9 @@ class Connection:
         self.fresh = np.zeros((0, quantities), dtype=np.float32)
 
     def act(self, what, seeds, actions):
-        """Steps, resets or skips environments; returns observations, rewards and whether each is terminated.
+        """Steps, resets or skips environments; returns observations, rewards, and whether each episode is terminated.
 
-        Sets ``state`` to TERMINATED, TRUNCATED or 0, and ``fresh`` to the initial observations of those that were reset after their step.
+        Sets ``state`` to TERMINATED, TRUNCATED or 0, and ``fresh`` to the initial observations of the environments reset after their step.
         """
         self._requests["what"] = what
         self._requests["seed"] = seeds
@@ -238,7 +238,7 @@ class Connection:
         return answer["observation"].copy(), answer["reward"].copy(), self.state == TERMINATED
 
     def change(self, options):
-        """Sets the options of the following episodes."""
+        """Sets the options for all following episodes."""
         self._ask(b"C" + "\n".join(_lines(options)).encode("utf-8"))
 
     def picture(self, index):
@@ -281,7 +281,7 @@ class Connection:
         while view:
             try:
                 count = self._socket.recv_into(view)
-            except TimeoutError:  # after a suspension of this program (Control-Z) the time is up immediately
+            except TimeoutError:  # after this program has been suspended (Ctrl+Z), the timeout expires immediately
                 count = self._socket.recv_into(view)
             if not count:
                 raise OSError("the simulator closed it")

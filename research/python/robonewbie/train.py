@@ -1,11 +1,11 @@
-"""Trains a task by PPO of Stable-Baselines3, and writes a policy for Java agents.
+"""Trains a policy for a task by Stable-Baselines3's PPO, and writes it for use by Java agents.
 
     python -m robonewbie.train Stand --total-timesteps 300000
     python -m robonewbie.train Stand --total-timesteps 600000 --resume
     python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
-The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training can be
-interrupted at any time. The normalisation of observations is folded into the first layer of the policy.
+The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training
+run can be interrupted at any time. The normalisation of observations is folded into the first layer of the policy.
 """
 
 import argparse
@@ -31,9 +31,9 @@ def fold(weights, bias, mean, variance, epsilon):
 
 
 def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
-    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is weights, bias and activation, "tanh" or "cut".
+    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is a tuple of weights, biases and activation, "tanh" or "cut".
 
-    With the parameters of a walk, by name, the policy corrects the walk engine.
+    If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
@@ -109,7 +109,7 @@ def _arguments(words):
 
 
 class Training:
-    """Training of a task, with the files beside the policy: the checkpoint .zip and .normalisation, and the learning curve .csv."""
+    """Training run of a task. The checkpoint (.zip and .normalisation) and the learning curve (.csv) are written beside the policy."""
 
     def __init__(self, wanted):
         from stable_baselines3 import PPO
@@ -136,7 +136,7 @@ class Training:
             self._initialise_actor()
 
     def _initialise_actor(self):
-        """Sets the last layer to zero and hidden biases to random values, without which gSDE would not explore for zero inputs."""
+        """Sets the last layer to zero and the hidden biases to random values, because gSDE does not explore if all inputs are zero."""
         policy = self.model.policy
         for numbers in policy.action_net.parameters():
             numbers.data.zero_()
@@ -218,7 +218,7 @@ class Training:
             print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
 
     def run(self):
-        """Trains up to the total number of actions."""
+        """Trains until the total number of actions is reached."""
         wanted = self.wanted
         while self.model.num_timesteps < wanted.total_timesteps:
             rate = wanted.learning_rate * (1 - self.model.num_timesteps / wanted.total_timesteps)

@@ -10,7 +10,7 @@ from robonewbie.simulator import RESET, STEP, TRUNCATED
 
 
 class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv, SimulatedTask):
-    """Robots in separate worlds. The step after the end of an episode resets it and ignores the action (next-step autoreset)."""
+    """Robots in separate worlds. The step after the end of an episode begins a new one and ignores the action (next-step autoreset)."""
 
     metadata = {"render_modes": RENDER_MODES, "render_fps": 50, "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
 

@@ -69,7 +69,7 @@ final class CompileCompiler {
         System.exit(exitCode);
     }
 
-    /** The compiler must not see RoboNewbie's classes, especially the TeaVM policies of the other module. */
+    /** Removes RoboNewbie's classes, because TeaVM would apply the policies that belong to the page's other module. */
     private static String withoutRobonewbie(String classPath) {
         return Arrays.stream(classPath.split(File.pathSeparator))
                 .filter(place -> !place.endsWith("classes") && !place.contains("robonewbie-"))

@@ -79,7 +79,7 @@ final class FinishPage {
         }
     }
 
-    /** Replaces the terminal commands of a worksheet by the room that does the same in the browser. */
+    /** Replaces the terminal commands of a worksheet with instructions for the browser. */
     private static String withoutCommands(String text, String page) throws IOException {
         Matcher worksheet = WORKSHEET.matcher(page);
         if (!worksheet.matches()) {

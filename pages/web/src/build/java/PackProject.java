@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 
 /**
  * Creates a project with {@code robonewbie new} and adds it to the page, which fills it with the user's programs for
- * download. If the program's jar has not been built, the page offers no project and says so.
+ * download. If RoboNewbie's jar has not been built, the page offers no project, and the build says so.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackProject.java ROOT FOLDER}
  */
@@ -42,7 +42,7 @@ final class PackProject {
         Files.writeString(folder.resolve("project.json"), new Gson().toJson(project) + "\n");
     }
 
-    /** Creates a project by running the packaged program. */
+    /** Creates a project by running RoboNewbie's jar. */
     private static Path made(Path root, Path jar) throws IOException, InterruptedException {
         Path place = Files.createTempDirectory("project");
         Process program = new ProcessBuilder(

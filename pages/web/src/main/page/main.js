@@ -1,4 +1,4 @@
-/** Starts the simulator of this page, then the studio while it loads. */
+/** Loads the simulator of this page in the background, and starts the studio in the meantime. */
 import './page/world-process.js';
 
 await import('./page/begin.js');

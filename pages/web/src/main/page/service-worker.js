@@ -50,7 +50,7 @@ async function fetched(request) {
   return answer;
 }
 
-/** Caches the files of some folders that are not cached yet. @param {string[]} folders */
+/** Caches those files of the given folders that are not cached yet. @param {string[]} folders */
 async function keepFolders(folders) {
   const { cacheName, files } = await list();
   const cache = await caches.open(cacheName);

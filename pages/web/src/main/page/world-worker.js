@@ -8,7 +8,10 @@ const TURN_MILLISECONDS = 20;
 const REPORT_MILLISECONDS = 200;
 const MIN_SECONDS = 0.001;
 
-/** A service worker may answer with a script whose address has no query, so the worker's name selects the program. */
+/**
+ * Whether to load the program that executes user code. The worker's name selects it, because a service worker may drop a query from the
+ * address.
+ */
 const FOR_PROGRAMS = self.name === 'programs';
 
 const program = load(new URL(FOR_PROGRAMS ? 'programs/robonewbie.wasm' : 'field.wasm', import.meta.url).href);

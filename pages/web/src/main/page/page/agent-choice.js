@@ -1,4 +1,4 @@
-/** Toolbar elements for choosing the shipped agents that play: two lists and a restart button. */
+/** Toolbar elements for choosing the example agents that play: two lists and a restart button. */
 import { button, choice, setEntries } from '../panels/elements.js';
 
 const FIRST = 'Agent_BetterSoccer';

@@ -1,4 +1,4 @@
-/** For pupils: the exercises that a teacher's link has chosen, and the button that sends the programs for them. */
+/** For pupils: the exercises selected by a teacher's link, and the button that sends the pupils' programs for them. */
 import { ask } from '../live/server.js';
 import { button, byId, element, offer, setText } from '../panels/elements.js';
 import { assignmentOf, isClassLink } from '../state/class-link.js';

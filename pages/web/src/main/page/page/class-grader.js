@@ -20,7 +20,7 @@ const motionsOf = (files) =>
 
 export class ClassGrader {
   #compiler = new PageCompiler(() => {});
-  /** Grades by the content of the program, so that nothing is graded twice. @type {Map<string, Mark>} */
+  /** Grades by program content, so that no program is graded twice. @type {Map<string, Mark>} */
   #known = new Map();
   /** @type {ClassWorker | undefined} */
   #worker;
@@ -30,7 +30,7 @@ export class ClassGrader {
    * @param {Program[]} programs
    * @param {number} seeds number of trials
    * @param {(done: number, secondsLeft: number) => void} progressed
-   * @returns {Promise<Mark[]>} the grades; if it was stopped, those of the programs so far
+   * @returns {Promise<Mark[]>} the grades; after a call to stop, only those so far
    */
   async grade(programs, seeds, progressed) {
     this.#isStopped = false;
@@ -53,7 +53,7 @@ export class ClassGrader {
     return marks;
   }
 
-  /** Ends a running program, and does not begin another one. */
+  /** Stops grading: terminates the running program and starts no other. */
   stop() {
     this.#isStopped = true;
     this.#worker?.close();

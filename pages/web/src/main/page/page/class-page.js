@@ -1,4 +1,7 @@
-/** Page for teachers: takes the links and files of a class, grades the programs, and shows the table of `robonewbie grade --class`. */
+/**
+ * Page for teachers: reads the links and files that pupils have sent, grades the programs, and shows the table of `robonewbie grade
+ * --class`.
+ */
 import { button, byId, element, offer, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
 import { ClassGrader } from './class-grader.js';
@@ -68,7 +71,7 @@ class ClassPage {
     await this.#add(await readLinks(hash, 'opened link'));
   }
 
-  /** Takes complete links out of the text area. */
+  /** Reads the links in the text area, and clears it if there are any. */
   async #takeLinks() {
     const found = await readLinks(this.#links.value, 'pasted');
     if (found.length > 0) {

@@ -1,9 +1,9 @@
-/** A worker with the program for exercises, without a picture: it reads and writes submissions, and grades a program. */
+/** Worker that runs exercises without a display: it reads and writes submissions, and grades programs. */
 
 /** @typedef {{seed: number, passed: boolean, points: number, finding: string, hint: string}} Judged */
 
 const LOOK = { method: 'GET', path: ['attempt'] };
-/** Silence after which a program is given up; the worker reports several times each second. */
+/** Time without a report after which grading a program is abandoned; the worker normally reports several times per second. */
 const PATIENCE_MILLISECONDS = 60_000;
 
 export class ClassWorker {
@@ -95,13 +95,13 @@ export class ClassWorker {
     }
   }
 
-  /** Ends everything that runs. */
+  /** Terminates the worker; a grading in progress fails. */
   close() {
     this.#worker.terminate();
     this.#fail(new Error('Stopped.'));
   }
 }
 
-/** @param {object} wish @returns {string} a request to the course service, which needs nothing of what the browser stores */
+/** @param {object} wish @returns {string} a request to the course service, without any data stored by the browser */
 const request = (wish) =>
   JSON.stringify({ parameters: {}, language: 'en', progress: {}, programs: [], drafts: [], solutions: {}, ...wish });

@@ -34,7 +34,7 @@ export class CourseServer {
       storage().set(PROGRESS, JSON.stringify(this.#progress));
       this.#unsaved = {};
     } catch {
-      // The next change tries again; a full storage is reported when a program is saved.
+      // The next change tries again. Full storage is reported when a program is saved.
     }
   }
 
@@ -120,7 +120,7 @@ async function solution(file) {
   }
 }
 
-/** Converts progress that earlier editions stored. @param {any} stored @returns {{exercises: States}} */
+/** Converts progress that was stored by earlier versions. @param {any} stored @returns {{exercises: States}} */
 function migrated(stored) {
   if (stored.exercises) {
     return stored;

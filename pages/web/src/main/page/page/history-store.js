@@ -1,4 +1,4 @@
-/** Histories of programs in the browser's IndexedDB, where they take no space from the programs. It stays empty if the browser stores nothing. */
+/** Histories of programs in the browser's IndexedDB, where they take no space from the programs; empty if the browser stores nothing. */
 import { ended, openDatabase, result } from './database.js';
 import { folderOfPage } from './page-storage.js';
 

@@ -8,7 +8,7 @@ export class OpenRecording {
   length = 0;
   /** Number of bytes that the replay service has read. */
   read = 0;
-  /** Logs and drawings of the robots, one line of JSON each. */
+  /** Logs and drawings of the robots, one JSON object per line. */
   notes = '';
 
   /** @param {Uint8Array} bytes next bytes */

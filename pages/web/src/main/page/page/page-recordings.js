@@ -7,7 +7,7 @@ import { pack } from './pack.js';
 /** @typedef {import('./recording-store.js').Entry} Entry */
 
 const MAX_BYTES = 100_000_000;
-/** About one hour with one robot. */
+/** Maximum size of one recording: about one hour with one robot. */
 const MAX_BYTES_OF_ONE = 40_000_000;
 const SAVE_MILLISECONDS = 10_000;
 const HOUR_MILLISECONDS = 3_600_000;
@@ -21,7 +21,7 @@ export class PageRecordings {
   /** @type {{entry: Entry, content: OpenRecording, savedBytes: number, savedNotes: number} | undefined} */
   #running;
   #work;
-  /** Stores the last change of the replay service. @type {Promise<void>} */
+  /** Resolves when the last change from the replay service has been stored. @type {Promise<void>} */
   #change = Promise.resolve();
   /** Name of the agent in the next world. */
   agent = '';
@@ -178,7 +178,7 @@ export class PageRecordings {
     } while (content.read < content.length);
   }
 
-  /** Stores a change of the replay service. @param {string} text id of the recording and changed metadata, a JSON object */
+  /** Stores a change from the replay service. @param {string} text id of the recording and changed metadata, a JSON object */
   keep(text) {
     const { id, ...change } = JSON.parse(text);
     const entry = this.#entries.get(id);

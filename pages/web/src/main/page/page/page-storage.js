@@ -89,7 +89,10 @@ export class PageStorage {
     return Array.from({ length: this.#store.length }, (_, index) => this.#store.key(index) ?? '');
   }
 
-  /** Copies the data stored before prefixes were introduced, once. Keeps the original if possible, because another edition may need it. */
+  /**
+   * Copies, only once, the data stored before prefixes were introduced. Keeps the original if possible, because another edition may need
+   * it.
+   */
   #migrate() {
     if (this.get(MIGRATED) !== null) {
       return;

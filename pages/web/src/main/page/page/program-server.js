@@ -40,7 +40,7 @@ export class ProgramServer {
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
    * @param {ProgramRepository} repository
-   * @param {{others: string[]}} agents shipped agents that play alongside a program
+   * @param {{others: string[]}} agents example agents that play alongside a program
    * @param {import('./history-store.js').HistoryStore} histories
    */
   constructor(compiler, world, repository, agents, histories) {

@@ -45,7 +45,7 @@ async function open() {
 }
 
 /**
- * Copies the recordings from the former database of the whole host once. The originals are kept, because another
+ * Copies, only once, the recordings from the database that all editions on the host used to share. The originals are kept, because another
  * edition on the host may need them too.
  *
  * @param {IDBDatabase} database

@@ -29,7 +29,7 @@ export class SceneServer {
   }
 
   /**
-   * Stores a change of the scene service.
+   * Stores a change from the scene service.
    *
    * @param {string} change name and text of a scene, a JSON object; without a text, the scene is removed
    */

@@ -1,4 +1,4 @@
-/** Submissions of a class without accounts as links and files; the Java class HandIn describes their content. */
+/** Submissions as links and files, for school classes without accounts; the Java class HandIn describes their contents. */
 import { decodeText } from '../state/decoded-text.js';
 import { compress, decompress, fromBase64Url, MAX_BYTES, toBase64Url, TooLarge } from './packed-text.js';
 
@@ -7,7 +7,7 @@ import { compress, decompress, fromBase64Url, MAX_BYTES, toBase64Url, TooLarge }
 export const ENDING = '.robonewbie';
 const MARK = 'submission=';
 const FORMAT = 'gzip';
-/** Mail programs break or cut longer links. */
+/** Maximum length of a link; mail programs break or cut longer ones. */
 const MAX_LINK = 2000;
 const LINK = new RegExp(`${MARK}([\\w%=-]*)`, 'g');
 
@@ -37,11 +37,11 @@ async function received(source, bytes) {
 }
 
 /**
- * Reads all links in a text, such as one with a link in each line.
+ * Reads all links in a text, for example one link per line.
  *
  * @param {string} text
  * @param {string} name name of the text
- * @returns {Promise<Received[]>} with the line in their source if there are several lines
+ * @returns {Promise<Received[]>} their sources include line numbers if the text has several lines
  */
 export async function readLinks(text, name) {
   const lines = text.split(/\r\n?|\n/);

@@ -45,7 +45,7 @@ export class WorldConnection {
   /** A worker of the same page needs no timeout. */
   checkSilence() {}
 
-  /** @param {string[]} agents agents that play; the pitch stays empty without any */
+  /** @param {string[]} agents the agents that play; empty for an empty pitch */
   #begin(agents) {
     this.programs.forget();
     this.worker.postMessage({ begin: { agents, seed: SEED } });

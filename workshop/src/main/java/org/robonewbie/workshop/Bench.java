@@ -62,7 +62,7 @@ public final class Bench {
         return value;
     }
 
-    /** Throws if a number of simulated seconds is not above 0. */
+    /** Throws if a simulated time in seconds is not greater than 0. */
     static void checkSeconds(String option, double value) {
         if (!(value > 0 && value <= 1e6)) {
             throw new IllegalArgumentException(

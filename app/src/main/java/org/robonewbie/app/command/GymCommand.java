@@ -59,7 +59,7 @@ final class GymCommand implements Callable<Integer> {
             System.out.println("gym " + server.port());
             System.out.flush();
             while (System.in.read() >= 0) {
-                // Input is ignored; end of input means that the learning program has exited.
+                // Input is ignored; end of input means that the training program has exited.
             }
         }
         return ExitCode.OK;

@@ -26,10 +26,10 @@ final class ProgramVersion {
     }
 
     /**
-     * Returns the version under which Maven and Gradle keep a jar of this program, such as {@code 2.0.0-0839a708}. Both cache jars by
-     * version, so the version contains the jar's checksum where the commit does not identify the jar.
+     * Returns the version under which Maven and Gradle keep a jar of this program, such as {@code 2.0.0-0839a708}. Both cache
+     * jars by version, so the version contains the jar's checksum where the commit does not identify the jar.
      *
-     * @param jar a release, which is named by its version, or a local build
+     * @param jar a release, whose file name contains its version, or a local build
      */
     static String of(Path jar) throws IOException {
         return of(jar, project().orElse("0"), commit());

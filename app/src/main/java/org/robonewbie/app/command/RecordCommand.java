@@ -132,7 +132,7 @@ final class RecordCommand implements Callable<Integer> {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shutdown) {
-            // The JVM is already shutting down and runs the hook.
+            // The JVM is already shutting down and will run the hook.
         }
     }
 

@@ -83,7 +83,7 @@ final class RunCommand implements Callable<Integer> {
         return run(agentAndOptions.get(0), program, options);
     }
 
-    /** Runs a program, which its studio opens under this name. */
+    /** Runs a program; its studio opens the file, class or example with the given name. */
     static int run(String name, Program program, List<String> options) {
         List<String> ofRobot = without(SIMULATOR, options);
         ofRobot.removeAll(SIMULATOR_FLAGS);
@@ -91,7 +91,7 @@ final class RunCommand implements Callable<Integer> {
         return program.run(options);
     }
 
-    /** Runs the program without output before the real run, which then shows any errors. */
+    /** Runs the program without output before the actual run, in which any errors occur again and are shown. */
     private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = without(SERVER, options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
@@ -99,7 +99,9 @@ final class RunCommand implements Callable<Integer> {
         SilentPrograms.entirely(() -> program.run(all));
     }
 
-    /** Returns the options without those with these names and their values, in the forms {@code --port 3100} and {@code --port=3100}. */
+    /**
+     * Removes the options with the given names and their values, written as {@code --port 3100} or {@code --port=3100}.
+     */
     private static List<String> without(List<String> names, List<String> options) {
         List<String> others = new ArrayList<>();
         for (int i = 0; i < options.size(); i++) {

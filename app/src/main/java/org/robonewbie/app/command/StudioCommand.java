@@ -26,7 +26,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code robonewbie studio}: opens the studio with its own simulator, attached to a running server, or with a file. */
+/** {@code robonewbie studio}: opens the studio with its own simulator, a running server or a file. */
 @Command(
         name = StudioCommand.NAME,
         description = {

@@ -14,7 +14,7 @@ import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
 
-/** Grades the starter program of an exercise: writes it, compiles it, runs it in its own process, and grades it. */
+/** Checks grading: writes the starter program of an exercise, compiles it, runs it in its own process, and grades it. */
 final class ExerciseCheckup {
 
     private static final String SUBJECT = "An exercise";

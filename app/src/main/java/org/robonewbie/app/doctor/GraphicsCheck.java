@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFolder;
 
-/** Checks whether WebGL works in a headless browser; without it, the studio's picture is simpler and slower. */
+/** Checks whether WebGL works in a headless browser; without it, the studio's 3D view is simpler and slower. */
 final class GraphicsCheck {
 
     private static final String SUBJECT = "Graphics";

@@ -15,7 +15,7 @@ public enum Verdict {
         this.mark = mark;
     }
 
-    /** {@return the short mark at the start of the line} */
+    /** {@return the label at the start of a finding's line} */
     public String mark() {
         return mark;
     }

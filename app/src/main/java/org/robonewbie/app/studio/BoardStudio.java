@@ -14,7 +14,7 @@ import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.board.EventBus;
 
-/** Studio with an empty pitch. Its first page shows the progress of a program, such as a contest or an optimisation. */
+/** Studio with an empty pitch. Its first page shows the progress of a command, such as a contest or an optimisation. */
 final class BoardStudio implements Viewer.View {
 
     private final EventBus board;

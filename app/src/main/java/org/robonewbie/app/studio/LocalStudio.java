@@ -102,7 +102,7 @@ public final class LocalStudio implements FullStudio {
                 : Optional.empty();
     }
 
-    /** Returns a file name that neither a program nor a draft has. */
+    /** Returns a file name that no program or draft in the folder has yet. */
     private static String freeName(String stem, Path folder) {
         String name = stem + ENDING;
         for (int number = 2; isTaken(name, folder); number++) {

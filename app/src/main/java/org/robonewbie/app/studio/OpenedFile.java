@@ -67,7 +67,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
 
-    /** Address fragment that opens a motion from the studio's folder in the motion editor. */
+    /** Returns the URL fragment that opens a motion from the studio's folder in the motion editor. */
     static String motionPlace(Path file) {
         String name = String.valueOf(file.getFileName());
         return "#motion/" + encoded(name.substring(0, name.length() - MOTION.length()));
@@ -91,7 +91,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         return new OpenedFile(StudioFolders.ofWorkingDirectory(), PROGRAM_PLACE + encoded(path), folder);
     }
 
-    /** {@return the path of the program relative to {@link #programs}, with slashes; empty for another file} */
+    /** {@return the path of the program relative to {@link #programs}, separated by slashes; empty for other files} */
     Optional<String> program() {
         return Optional.of(place)
                 .filter(each -> each.startsWith(PROGRAM_PLACE))

@@ -35,10 +35,10 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     }
 
     /**
-     * Creates the service for a studio in which a program runs already.
+     * Creates the service for a studio that opens with a program that is already running.
      *
      * @param folder folder of the programs
-     * @param first the program that runs already, if there is one
+     * @param first the program that is already running, if there is one
      */
     public ProcessCompilerService(Path folder, Optional<FirstProgram> first) {
         this.folder = folder;

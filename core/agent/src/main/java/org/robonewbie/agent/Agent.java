@@ -238,7 +238,7 @@ public abstract class Agent {
     }
 
     /**
-     * Returns the lines of the step that led to the failed one, as a sentence; empty if there are none. In a page, the trace does
+     * Returns a sentence that lists the calls that led to the failed line; empty if there are none. In a page, the trace does
      * not contain {@link #run}.
      */
     private static String callers(Throwable mistake) {

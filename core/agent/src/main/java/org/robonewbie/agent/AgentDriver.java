@@ -60,7 +60,7 @@ public final class AgentDriver {
     /**
      * Starts a watchdog for {@link #respond}: reports a misspelt {@code think()}, infinite loops and slow cycles.
      *
-     * @param listener called with the cause, in the program's thread, once many cycles have been slow
+     * @param listener called in the program's thread, with the cause of the slowness, once many cycles have been slow
      * @return the watchdog; close it to stop watching
      */
     public Watchdog watch(Consumer<Slowness> listener) {

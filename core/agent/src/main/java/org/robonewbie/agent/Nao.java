@@ -45,8 +45,8 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Connects a robot to the simulator that the options select, or starts one. Invalid options end the program with exit code
-     * 2 and a one-sentence message.
+     * Connects a robot to the simulator that the options select, starting one if necessary. Invalid options end the program
+     * with exit code 2 and a one-sentence message.
      *
      * @param args the arguments of {@code main}, see {@link Options}
      * @return the robot at its starting pose
@@ -68,7 +68,7 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Connects a robot to the simulator that the options select, or starts one.
+     * Connects a robot to the simulator that the options select, starting one if necessary.
      *
      * @param options options that include simulator, team, number and starting pose
      * @return the robot at its starting pose

@@ -73,7 +73,7 @@ enum Option {
                 .findFirst();
     }
 
-    /** Returns a question that suggests the option with the most similar name. */
+    /** Returns a question that suggests the option with the name most similar to a misspelt one. */
     static String question(String key) {
         String question =
                 Spelling.question(key, Arrays.stream(values()).map(Option::key).toList(), near -> "--" + near);

@@ -93,7 +93,7 @@ public final class PolicyPlayer {
     /**
      * Sets a command input of the policy.
      *
-     * @param name name of the command, such as {@code distance} of a kick
+     * @param name name of the command, such as {@code distance} for a kick
      * @param value value in the unit used in training; 0 until it is set
      * @throws IllegalArgumentException if the policy has no such command
      */

@@ -120,7 +120,7 @@ public class Robot {
         return sensors().heard();
     }
 
-    /** {@return the referee's play mode; unknown modes are ignored} */
+    /** {@return the referee's play mode; if the server sends an unknown mode, the last known one} */
     public final PlayMode getPlayMode() {
         return sensors().playMode();
     }
@@ -249,7 +249,7 @@ public class Robot {
     /**
      * Requests pass mode: opponents must stay a metre away from the ball for up to four seconds, or until the ball is touched.
      * The referee grants it in open play to a robot within half a metre of a resting ball, if no opponent is within a metre of
-     * the ball, and at most every three seconds. The team cannot score in the following ten seconds unless a second player
+     * the ball, and at most once every three seconds. The team cannot score in the following ten seconds unless a second player
      * touches the ball.
      */
     public final void requestPass() {

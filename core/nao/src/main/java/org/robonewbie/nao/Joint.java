@@ -21,7 +21,7 @@ public enum Joint {
     NECK_PITCH("HeadPitch", "hj2", "he2", -45, 45),
     /** Left arm swings; 0 is stretched forward, positive lifts it. NAO: LShoulderPitch; SimSpark: hinge laj1, motor lae1. */
     LEFT_SHOULDER_PITCH("LShoulderPitch", "laj1", "lae1", -120, 120),
-    /** Left arm opens; positive is outward. NAO: LShoulderRoll; SimSpark: hinge laj2, motor lae2. */
+    /** Left arm swings sideways; positive is outward. NAO: LShoulderRoll; SimSpark: hinge laj2, motor lae2. */
     LEFT_SHOULDER_YAW("LShoulderRoll", "laj2", "lae2", -1, 95),
     /**
      * Left forearm turns about its own axis; right-hand rule about the forearm. NAO: LElbowYaw; SimSpark: hinge laj3, motor
@@ -68,7 +68,7 @@ public enum Joint {
     RIGHT_FOOT_ROLL("RAnkleRoll", "rlj6", "rle6", -25, 45),
     /** Right arm swings; 0 is stretched forward, positive lifts it. NAO: RShoulderPitch; SimSpark: hinge raj1, motor rae1. */
     RIGHT_SHOULDER_PITCH("RShoulderPitch", "raj1", "rae1", -120, 120),
-    /** Right arm opens; negative is outward. NAO: RShoulderRoll; SimSpark: hinge raj2, motor rae2. */
+    /** Right arm swings sideways; negative is outward. NAO: RShoulderRoll; SimSpark: hinge raj2, motor rae2. */
     RIGHT_SHOULDER_YAW("RShoulderRoll", "raj2", "rae2", -95, 1),
     /**
      * Right forearm turns about its own axis; right-hand rule about the forearm. NAO: RElbowYaw; SimSpark: hinge raj3, motor

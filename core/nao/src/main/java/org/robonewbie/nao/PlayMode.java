@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The state of the game as set by the referee, in the order and with the names of SimSpark 0.7.3. */
+/** The states of the game that the referee sets, with the names and in the order of SimSpark 0.7.3. */
 public enum PlayMode {
     /** Play has not begun; robots may be beamed. */
     BEFORE_KICK_OFF("BeforeKickOff"),

@@ -27,23 +27,23 @@ public interface SimulationControl {
     }
 
     /**
-     * Queues an order for execution before the next cycle. Orders for a missing robot and orders that this world does not
+     * Queues a command for execution before the next cycle. Commands for a missing robot and commands that this world does not
      * support have no effect.
      *
-     * @param order the order
-     * @throws UnsupportedOperationException for a clock order to a world that {@link #hasClock has no clock}
+     * @param order the command
+     * @throws UnsupportedOperationException for a clock command to a world that {@link #hasClock has no clock}
      */
     void order(Order order);
 
     /**
      * Continues from an earlier snapshot. Robots that have since left the game are skipped.
      *
-     * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
+     * @param before a snapshot before {@code target}, used to derive velocities; {@code target} itself for a world at rest
      * @param target the snapshot to continue from
      */
     default void restore(WorldSnapshot before, WorldSnapshot target) {}
 
-    /** {@return the trial that this world is graded for; empty for free play} */
+    /** {@return the graded trial that runs in this world; empty for free play} */
     default Optional<TrialLabel> trial() {
         return Optional.empty();
     }

@@ -7,8 +7,8 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 public interface SimulationObserver {
 
     /**
-     * Called with the state of the world after a cycle, on the simulation thread; must return quickly. While paused, it is
-     * called about ten times per second with the same cycle.
+     * Called with the state of the world after a cycle, on the simulation thread; must return quickly. While the simulation is
+     * paused, it is called about ten times per second with the same cycle.
      *
      * @param snapshot the state, immutable
      */
@@ -51,8 +51,8 @@ public interface SimulationObserver {
     }
 
     /**
-     * Called with the messages of a cycle before {@link #cycleEnded}, on the simulation thread; must return quickly. While
-     * paused, it is called again with the same messages.
+     * Called with the messages of a cycle before {@link #cycleEnded}, on the simulation thread; must return quickly. While the
+     * simulation is paused, it is called again with the same messages.
      *
      * @param messages the messages of one agent
      */

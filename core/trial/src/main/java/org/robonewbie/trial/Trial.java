@@ -80,7 +80,7 @@ public final class Trial implements AutoCloseable {
      * Starts a trial with a complete simulator.
      *
      * @param scene the initial state of the trial
-     * @param seed seed of all noise
+     * @param seed seed for all noise
      * @param controllers the controller of each robot of the scene
      * @return the trial, which has not advanced yet
      */
@@ -93,7 +93,7 @@ public final class Trial implements AutoCloseable {
      * Starts a trial with a complete simulator, a listener and a recording.
      *
      * @param scene the initial state of the trial
-     * @param seed seed of all noise
+     * @param seed seed for all noise
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
      * @param cast creates the controller of a robot when the robot enters the pitch
@@ -114,7 +114,7 @@ public final class Trial implements AutoCloseable {
      * Starts a trial with physics only.
      *
      * @param scene the initial state of the trial
-     * @param seed seed of all noise
+     * @param seed seed for all noise
      * @param controllers the controller of each robot of the scene
      * @return the trial, which has not advanced yet
      */
@@ -150,7 +150,7 @@ public final class Trial implements AutoCloseable {
 
     /**
      * Creates a robot as soon as its controller is ready, and moves it to its start pose, where it settles with all joints at 0.
-     * Until it stands there, the listener is not called.
+     * The listener is not called before the robot has been moved there.
      */
     private void enter(RobotStart start, Controller controller) {
         introduce(start, controller);
@@ -247,7 +247,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Resets a direct trial to its start, which is much faster than creating a new one.
      *
-     * @param seed new seed of all noise
+     * @param seed new seed for all noise
      * @param controllers a new controller for each robot
      */
     public void reset(long seed, Controller... controllers) {
@@ -278,10 +278,10 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Executes an order that a human referee could give, such as a kick-off, before the next cycle. Requires a served
+     * Executes a command that a human referee could give, such as a kick-off, before the next cycle. Requires a served
      * trial, because only served trials have a referee.
      *
-     * @param order the order
+     * @param order the command
      */
     public void order(Order order) {
         simulator.order(order);

@@ -13,7 +13,7 @@ import org.robonewbie.simulator.landscape.Thing;
  * centre spot, x towards the right goal, y to the left and z up.
  *
  * @param seconds simulated time since the start of the trial
- * @param robots the robots in the order of the scene
+ * @param robots the robots in the order in which the scene lists them
  * @param ball centre of the ball in metres
  * @param ballVelocity velocity of the ball in metres per second
  * @param things other objects on the pitch, at their current poses

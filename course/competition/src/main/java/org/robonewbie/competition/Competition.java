@@ -101,7 +101,7 @@ public final class Competition {
         }
     }
 
-    /** Returns the notes printed with the table, which say how the programs were isolated. */
+    /** Returns notes on how the programs were isolated, to be printed with the table. */
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
             return List.of(

@@ -149,7 +149,10 @@ final class DanceTask implements Task {
         return highest - lowest >= least;
     }
 
-    /** Returns the share of an angle's variance that lies at the three frequencies, 0 to 1. */
+    /**
+     * Returns the share of an angle's variance, 0 to 1, that lies at the ball's frequency, or at half or twice that
+     * frequency.
+     */
     private double share(List<Double> degrees) {
         double whole = 2 * period * Math.floor(JUDGED_SECONDS / (2 * period));
         int count = Math.min(degrees.size(), (int) Math.round(whole / Cycle.SECONDS));

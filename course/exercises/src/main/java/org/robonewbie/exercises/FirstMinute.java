@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Three levels of a minute each for a newcomer, before the first exercise. A level is an exercise without a worksheet and without a
- * number; its solution may be shown.
+ * Three levels that take a newcomer about a minute each, before the first exercise. A level is an exercise without a
+ * worksheet or number; its solution may be shown.
  */
 public final class FirstMinute {
 
@@ -40,7 +40,7 @@ public final class FirstMinute {
 
     private FirstMinute() {}
 
-    /** {@return the levels in their order} */
+    /** {@return the levels in playing order} */
     public static List<Exercise> levels() {
         return LEVELS;
     }

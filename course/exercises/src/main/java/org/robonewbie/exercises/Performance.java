@@ -91,7 +91,7 @@ public final class Performance {
      *
      * @param score the score before the adjustment
      * @param why the reason for the departure or failure
-     * @return the score
+     * @return the adjusted score
      */
     public static Score of(Score score, Departure why) {
         return switch (why.cause()) {

@@ -26,7 +26,7 @@ final class RecognisedGait {
 
     private final List<BodyState> seen = new ArrayList<>();
 
-    /** Observes the robot; call it in each cycle of steady walking. */
+    /** Adds a sample. Call this in each cycle of steady walking. */
     void see(BodyState robot) {
         seen.add(robot);
     }
@@ -36,7 +36,7 @@ final class RecognisedGait {
         return !seen.isEmpty() && distance(seen, Known.FAST) < distance(seen, Known.STANDARD);
     }
 
-    /** Statistics of the built-in walks when walking straight ahead. */
+    /** States of a robot that walks straight ahead with each of the built-in walks. */
     private static final class Known {
         static final List<BodyState> STANDARD = walked(WalkStyle.STANDARD);
         static final List<BodyState> FAST = walked(WalkStyle.FAST);

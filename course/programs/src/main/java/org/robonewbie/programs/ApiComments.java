@@ -21,7 +21,7 @@ final class ApiComments {
     /** Resource folder that contains the packaged sources. */
     static final String FOLDER = "/META-INF/sources/";
 
-    /** The first comment of a file up to the end of its first sentence. */
+    /** Matches the first comment of a file up to the end of its first sentence. */
     private static final Pattern COMMENT = Pattern.compile("(?s)/\\*\\*(.*?\\.)\\s");
 
     /** Comments that have been read, by class and member, such as {@code setJointSpeed/2}. */

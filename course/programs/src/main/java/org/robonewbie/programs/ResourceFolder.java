@@ -30,7 +30,7 @@ public final class ResourceFolder {
      * Opens a folder, passes it to the reader and closes it.
      *
      * @param place URL of the folder, as returned by the class loader
-     * @param name its name on the class path, with slashes
+     * @param name its path on the class path, separated by slashes
      * @param reader receives the folder
      * @throws IOException if it cannot be read
      */

@@ -107,7 +107,10 @@ public class Agent_Team extends Agent {
         return number <= MAX_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
     }
 
-    /** Returns the player number in an argument. Invalid numbers are rejected later, together with the other options. */
+    /**
+     * Returns the player number that follows an option. Invalid numbers are rejected later, together with the other
+     * options.
+     */
     private static int numberAfter(int option, String... args) {
         String number = option + 1 < args.length ? args[option + 1] : "";
         return number.matches(NUMBER) ? Integer.parseInt(number) : 0;

@@ -29,7 +29,7 @@ final class DecisionDrawing {
         this.world = world;
     }
 
-    /** Draws the plan, the other options and the path of this cycle. */
+    /** Draws the plan, the options and the planned path. */
     void show(Plan plan, List<KickChoice.Option> options, List<Translation2d> way) {
         nao.publishPose(world.pose().x(), world.pose().y(), world.pose().degrees());
         nao.drawText(
@@ -63,7 +63,7 @@ final class DecisionDrawing {
         nao.drawLine(seen(world.ball()), seen(rest), "orange");
     }
 
-    /** Draws the target of the ball, the receiver of a pass, and the other options. */
+    /** Draws the options as rays, and a line from the ball to its target. */
     private void showChoice(Plan plan, List<KickChoice.Option> options) {
         boolean kick = plan.isKick();
         if (!kick && plan.action() != Plan.Action.DRIBBLE) {

@@ -4,8 +4,8 @@ import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Copies arrays and checks their types; TeaVM 0.15.0 fails to do so for primitive arrays whose type is not known
- * statically.
+ * Copies arrays and checks their types, which TeaVM 0.15.0 does incorrectly for primitive arrays whose type is not
+ * known statically.
  */
 public final class ArrayCopy {
 
@@ -33,12 +33,12 @@ public final class ArrayCopy {
         }
     }
 
-    /** {@return whether an array type in descriptor notation has primitive elements, possibly nested} */
+    /** {@return whether an array descriptor denotes an array of primitives, possibly nested} */
     static boolean isOfNumbers(String type) {
         return !type.endsWith(";");
     }
 
-    /** {@return whether a value is an array of a primitive type in descriptor notation} */
+    /** {@return whether a value is a primitive array of the type that a descriptor denotes} */
     static boolean isArray(@Nullable Object value, String type) {
         return switch (type) {
             case "[D" -> value instanceof double[];

@@ -6,9 +6,9 @@ import java.util.Map;
 /**
  * The parts of a class file (Java Virtual Machine Specification, chapter 4) that are relevant for execution.
  *
- * @param name class name with slashes
- * @param superName name of the superclass with slashes
- * @param interfaces names with slashes
+ * @param name internal name of the class, such as {@code java/lang/String}
+ * @param superName internal name of the superclass
+ * @param interfaces internal names of the interfaces
  * @param access access flags
  * @param constants the constant pool
  * @param fields declared fields
@@ -35,7 +35,7 @@ record ClassFile(
      * @param name its name
      * @param descriptor its type
      * @param isStatic whether it is static
-     * @param constant its initial value, if it has one
+     * @param constant its constant value, if it has one
      */
     record Field(String name, String descriptor, boolean isStatic, java.util.Optional<Object> constant) {}
 
@@ -50,7 +50,7 @@ record ClassFile(
     /**
      * The constant CONSTANT_Class.
      *
-     * @param name name with slashes, or descriptor of an array
+     * @param name internal name of a class, or descriptor of an array
      */
     record TypeName(String name) {}
 
@@ -64,7 +64,7 @@ record ClassFile(
     /**
      * The constants CONSTANT_Fieldref and CONSTANT_Methodref.
      *
-     * @param owner class name with slashes
+     * @param owner internal name of the class
      * @param name name of the member
      * @param descriptor its type
      */
@@ -98,7 +98,7 @@ record ClassFile(
      * @param from offset of the first guarded byte
      * @param to offset after the last guarded byte
      * @param handler offset of the exception handler
-     * @param type class name of the exception with slashes; empty for all
+     * @param type internal name of the exception class; empty for all exceptions
      */
     record Guard(int from, int to, int handler, String type) {}
 
@@ -139,7 +139,7 @@ record ClassFile(
             return name + descriptor;
         }
 
-        /** {@return the source line of an instruction} */
+        /** {@return the source line of the instruction at an offset} */
         int line(int at) {
             int best = -1;
             int line = -1;

@@ -186,7 +186,7 @@ final class ClassFileReader {
         return attributes;
     }
 
-    /** A method without the source file name, which follows only at the end of the class file. */
+    /** A method without the source file name, which is not read until the end of the class file. */
     private record Unnamed(MethodCode method) {
 
         MethodCode in(String source) {

@@ -36,7 +36,7 @@ final class Compiled {
     private final Map<String, Class<?>> types = new HashMap<>();
     private final Set<String> initialised = new HashSet<>();
 
-    /** {@return the class for a name with slashes or for an array descriptor} */
+    /** {@return the class for an internal name or an array descriptor} */
     Class<?> type(String name) {
         return known(name).orElseThrow(() -> new Missing("The class " + name.replace('/', '.') + " is not available"));
     }
@@ -76,14 +76,14 @@ final class Compiled {
         };
     }
 
-    /** {@return whether a compiled class is a subtype of another; both names have slashes} */
+    /** {@return whether a compiled class is a subtype of another; both are given by their internal names} */
     boolean isSubtype(String name, String above) {
         Optional<Class<?>> lower = known(name);
         Optional<Class<?>> upper = known(above);
         return lower.isPresent() && upper.isPresent() && upper.get().isAssignableFrom(lower.get());
     }
 
-    /** {@return whether a class exists; the name has slashes} */
+    /** {@return whether there is a class with the given internal name} */
     boolean isKnown(String name) {
         return known(name).isPresent();
     }
@@ -204,7 +204,7 @@ final class Compiled {
         return parameters;
     }
 
-    /** Returns a class with all its superclasses and interfaces. */
+    /** Returns a class and all its supertypes, which include {@code Object} for an interface. */
     private static List<Class<?>> withAbove(Class<?> type) {
         List<Class<?>> all = new ArrayList<>(List.of(type));
         for (int i = 0; i < all.size(); i++) {
@@ -238,7 +238,7 @@ final class Compiled {
         return inner != null && (inner.isPrimitive() || isOfNumbers(inner));
     }
 
-    /** {@return a value from the machine in the representation of compiled code} */
+    /** {@return a value, converted from the machine's representation to that of compiled code} */
     static @Nullable Object toJava(@Nullable Object value, Class<?> type, Machine machine) {
         if (!type.isPrimitive()) {
             return Bridges.adapted(value, type, machine);
@@ -258,7 +258,7 @@ final class Compiled {
         return type == short.class ? (Object) (short) (int) number : number;
     }
 
-    /** {@return a primitive value in the machine's representation} */
+    /** {@return a value from compiled code, converted to the machine's representation} */
     static @Nullable Object fromJava(@Nullable Object value) {
         if (value instanceof Boolean truth) {
             return truth ? 1 : 0;

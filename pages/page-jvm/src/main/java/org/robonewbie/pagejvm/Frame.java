@@ -111,7 +111,7 @@ final class Frame {
         return values;
     }
 
-    /** Clears the operand stack and pushes an exception for its handler. */
+    /** Clears the operand stack, pushes an exception and jumps to its handler. */
     void handle(Throwable mistake, int handler) {
         while (size > 0) {
             pop();

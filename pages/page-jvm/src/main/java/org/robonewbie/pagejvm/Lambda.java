@@ -22,8 +22,8 @@ final class Lambda {
     /**
      * Creates a lambda.
      *
-     * @param type the functional interface, with slashes
-     * @param name its only method
+     * @param type internal name of the functional interface
+     * @param name name of its abstract method
      * @param called descriptor of the call
      * @param handle the implementation
      * @param remembered captured arguments, which precede the arguments of the call

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * <pre>{@code
  * Machine machine = new Machine(new Program(classFiles), System.out, SpecialCalls.NONE);
  * machine.begin("Walker", "--team", "Blue");
- * while (!machine.resume()) { turnTheWorld(); }
+ * while (!machine.resume()) { advanceTheWorld(); }
  * }</pre>
  */
 public final class Machine {
@@ -75,7 +75,7 @@ public final class Machine {
     /**
      * Prepares to run a main method with {@link #resume}.
      *
-     * @param type name of its class, with slashes
+     * @param type internal name of its class
      * @param arguments its arguments
      */
     public void begin(String type, String... arguments) {
@@ -87,7 +87,7 @@ public final class Machine {
     /**
      * Creates an instance of a student's class with the no-arg constructor.
      *
-     * @param type name of the class, with slashes
+     * @param type internal name of the class
      * @return the instance
      */
     public Object create(String type) {
@@ -140,7 +140,7 @@ public final class Machine {
         return value;
     }
 
-    /** Runs the calls above a stack depth to completion, even while outer calls wait. */
+    /** Runs the calls above the given stack depth to completion, even while outer calls wait. */
     private void finish(int base) {
         Waiting outer = waiting;
         waiting = null;
@@ -168,12 +168,12 @@ public final class Machine {
         top().push(value);
     }
 
-    /** Suspends the program until a call has a result, which is then pushed if it is wanted. */
+    /** Suspends the program until a call has a result, which is then pushed or discarded. */
     void await(Waiting pause, boolean isWanted) {
         waiting = isWanted ? pause : new Discarded(pause);
     }
 
-    /** Executes instructions until the stack has a given depth or a call waits. */
+    /** Executes instructions until the stack has shrunk to the given depth or a call waits. */
     private void run(int base) {
         while (frames.size() > base && waiting == null) {
             try {
@@ -221,7 +221,7 @@ public final class Machine {
         frames.add(new Frame(method, arguments));
     }
 
-    /** Pops the innermost stack frame. */
+    /** Pops the innermost stack frame and passes the result to the caller, if awaited. */
     void leave(@Nullable Object value) {
         frames.remove(frames.size() - 1);
         result = value;
@@ -255,7 +255,7 @@ public final class Machine {
         finish(base);
     }
 
-    /** Unwinds the stack to the handler of an exception; throws it if there is none. */
+    /** Unwinds the stack to the handler of an exception; throws the exception if there is none. */
     void raise(Throwable mistake, int base) {
         if (traced != mistake && !(mistake instanceof Thrown)) {
             trace(mistake);
@@ -306,7 +306,7 @@ public final class Machine {
         return place.getFileName() + ":" + place.getLineNumber();
     }
 
-    /** {@return the current position, such as {@code Walker.java:12}; empty if the program does not run} */
+    /** {@return the current position, such as {@code Walker.java:12}; empty if the program is not running} */
     public String place() {
         return frames.isEmpty() ? "" : placeText();
     }
@@ -340,7 +340,7 @@ public final class Machine {
         }
     }
 
-    /** Wrapper for an exception that the program itself throws, and that already has a stack trace. */
+    /** Wrapper for an exception that the program itself throws and that already has a stack trace. */
     static final class Thrown extends RuntimeException {
 
         private static final long serialVersionUID = 1;

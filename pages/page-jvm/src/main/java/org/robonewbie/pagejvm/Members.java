@@ -46,8 +46,8 @@ final class Members {
     }
 
     /**
-     * Starts the static initialiser of a class if it has not run yet. Returns whether an initialiser was started; the
-     * instruction is repeated after it.
+     * Starts the static initialiser of a class if it has not run yet. If so, returns true, and the instruction is
+     * repeated afterwards.
      */
     private boolean mustWaitForInitialiser(Frame frame, StudentClass type) {
         if (!machine.initialise(type)) {
@@ -255,7 +255,9 @@ final class Members {
         return all;
     }
 
-    /** Calls a method on behalf of the machine, not of an instruction of the program, and waits for its result. */
+    /**
+     * Calls a method for the machine itself rather than for an instruction of the program, and waits for the result.
+     */
     @Nullable
     Object callAndWait(Member method, @Nullable Object target, @Nullable Object[] arguments) {
         Descriptor type = Descriptor.of(method.descriptor());

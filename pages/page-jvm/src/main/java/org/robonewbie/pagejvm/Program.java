@@ -19,7 +19,7 @@ public final class Program {
      * Loads a program.
      *
      * @param classFiles contents of the class files
-     * @throws IllegalArgumentException if one is malformed or extends a class that the page does not support; the message is shown to the
+     * @throws IllegalArgumentException if a class is malformed or extends one that the page does not support; the message is shown to the
      *     user
      */
     public Program(Collection<byte[]> classFiles) {
@@ -34,12 +34,12 @@ public final class Program {
         return compiled;
     }
 
-    /** {@return the student's class for a name with slashes} */
+    /** {@return the student's class with the given internal name} */
     Optional<StudentClass> find(String name) {
         return Optional.ofNullable(classes.get(name));
     }
 
-    /** {@return the names of the classes with a main method, with slashes} */
+    /** {@return the internal names of the classes with a main method} */
     public List<String> mainClasses() {
         return classes.values().stream()
                 .filter(type -> type.own(MAIN).isPresent())
@@ -47,7 +47,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return the names, with slashes, of the agents that have a no-arg constructor; inner classes last} */
+    /** {@return the internal names of the agent classes that have a no-arg constructor; inner classes last} */
     public List<String> agents() {
         return classes.values().stream()
                 .filter(type -> type.is("org/robonewbie/agent/Agent")

@@ -62,7 +62,7 @@ final class StudentClass {
     /**
      * Finds a method in this class or its supertypes.
      *
-     * @param key its name and descriptor
+     * @param key name and descriptor of the method
      * @return the method; empty if no class of the student declares it
      */
     Optional<StudentMethod> find(String key) {
@@ -100,7 +100,7 @@ final class StudentClass {
                 .or(() -> parent().flatMap(type -> type.findByName(name, arguments)));
     }
 
-    /** {@return signatures of the methods that this class and the student's superclasses declare, such as {@code kick(int)}} */
+    /** {@return the methods that this class and the student's superclasses declare, as {@code name()} or {@code name(...)}} */
     List<String> headings() {
         List<String> headings =
                 new ArrayList<>(parent().map(StudentClass::headings).orElseGet(List::of));
@@ -114,7 +114,7 @@ final class StudentClass {
         return headings;
     }
 
-    /** {@return a method that this class declares} */
+    /** {@return the method with the given key, if this class declares it} */
     Optional<StudentMethod> own(String key) {
         return file.methods().stream()
                 .filter(method -> method.key().equals(key))
@@ -137,7 +137,7 @@ final class StudentClass {
         return parent().flatMap(type -> type.staticsWith(field));
     }
 
-    /** {@return the fields of a new instance with default values, by class and name} */
+    /** {@return the fields of a new instance with their default values, by class and name} */
     Map<String, @Nullable Object> newFields() {
         Map<String, @Nullable Object> fields =
                 parent().map(StudentClass::newFields).orElseGet(HashMap::new);

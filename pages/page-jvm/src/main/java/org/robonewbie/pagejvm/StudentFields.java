@@ -15,9 +15,9 @@ public final class StudentFields {
     private StudentFields() {}
 
     /**
-     * Creates another instance of the same class with the no-arg constructor.
+     * Creates another instance of a robot's class with the no-arg constructor.
      *
-     * @param robot an instance
+     * @param robot the robot
      * @return the new instance; empty if its class is not the student's
      * @throws RuntimeException if there is no such constructor or it fails
      */

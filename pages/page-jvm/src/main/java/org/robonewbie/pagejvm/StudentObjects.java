@@ -45,7 +45,7 @@ final class StudentObjects {
         return mistake;
     }
 
-    /** {@return whether an object is an instance of a class; the name has slashes} */
+    /** {@return whether an object is an instance of the class with the given internal name} */
     static boolean isInstance(Object value, String name, Program program) {
         if (name.equals("java/lang/Object")) {
             return true;

@@ -8,7 +8,10 @@ public interface Waiting {
     /** {@return whether the result is available; polled while the program is suspended} */
     boolean isReady();
 
-    /** Advances the world once. Called repeatedly if compiled code has called the program and therefore must block. */
+    /**
+     * Advances the world by one cycle. Called repeatedly if compiled code has called the program and therefore must
+     * block.
+     */
     void hurry();
 
     /** {@return the result} */

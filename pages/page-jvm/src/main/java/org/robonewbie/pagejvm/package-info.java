@@ -1,5 +1,5 @@
 /**
- * Bytecode interpreter for class files that the page has compiled from a student's program; they call the compiled classes of the
+ * Bytecode interpreter for class files that the page has compiled from a student's program and that call the compiled classes of the
  * framework. Start with {@link org.robonewbie.pagejvm.Machine}, then {@link org.robonewbie.pagejvm.Members}. Instructions: Java Virtual
  * Machine Specification, chapter 6.
  *

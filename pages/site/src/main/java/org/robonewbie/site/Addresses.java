@@ -38,7 +38,7 @@ final class Addresses {
         return "files/" + plain(path) + (Files.isDirectory(file) ? "/index.html" : ".html");
     }
 
-    /** Returns the path of a file relative to the project, with slashes. */
+    /** Returns the path of a file relative to the project, separated by forward slashes. */
     String name(Path file) {
         return root.relativize(file).toString().replace('\\', '/');
     }

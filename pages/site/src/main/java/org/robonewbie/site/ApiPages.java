@@ -127,7 +127,7 @@ final class ApiPages {
     }
 
     /**
-     * Returns the class path of this class, which Maven loads separately; it contains internal types that the API
+     * Returns the class path from which this class was loaded, which may differ from the JVM's; it contains the internal types that the API
      * refers to.
      */
     private static String classPath() {

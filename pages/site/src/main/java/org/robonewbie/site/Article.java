@@ -18,9 +18,7 @@ import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
 import org.commonmark.renderer.text.TextContentRenderer;
 
-/**
- * A parsed Markdown page. Its headings have the same anchors as on code hosts, so links work on both.
- */
+/** A parsed Markdown page. Its headings have the same anchors as on code hosts, so links work there and on the site. */
 final class Article {
 
     private static final List<TablesExtension> TABLES = List.of((TablesExtension) TablesExtension.create());
@@ -55,7 +53,7 @@ final class Article {
         return new Article(source, address, document, sections(document));
     }
 
-    /** Reads one chapter of a page as a page, with the chapter's heading as its title. */
+    /** Reads one chapter of a page as a page of its own, with the chapter's heading as the title. */
     static Article readChapter(Path source, String title, String address) throws IOException {
         Node document = PARSER.parse(Files.readString(source));
         boolean isInside = false;
@@ -84,12 +82,12 @@ final class Article {
         return document;
     }
 
-    /** Returns the language as in HTML. */
+    /** Returns the language code, such as {@code en}. */
     String language() {
         return language(address);
     }
 
-    /** Returns the language of the page at an address. */
+    /** Returns the language code of the page at an address. */
     static String language(String address) {
         return address.contains("/de/") ? "de" : "en";
     }

@@ -10,7 +10,7 @@ import java.util.Objects;
 /** Identifies the commit that a folder of the project is built from. */
 final class Commit {
 
-    /** Git's command for archives replaces the content of this file by the full id; see {@code .gitattributes}. */
+    /** File whose contents {@code git archive} replaces with the full commit id; see {@code .gitattributes}. */
     private static final String OF_ARCHIVE = "release/commit.txt";
 
     private static final int DIGITS = 8;
@@ -18,7 +18,7 @@ final class Commit {
     private Commit() {}
 
     /**
-     * Returns the first digits of the commit's id, followed by {@code -modified} if a file differs from it.
+     * Returns the first digits of the commit's id, followed by {@code -modified} if a file differs from the commit.
      *
      * @param root folder of the project
      * @return the id; empty if the folder is neither a working tree nor an archive of a commit
@@ -28,7 +28,7 @@ final class Commit {
                         "git", "describe", "--always", "--exclude=*", "--abbrev=" + DIGITS, "--dirty=-modified")
                 .directory(root.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
-        // The project may lie in the repository of another one.
+        // The project may be inside another project's repository.
         git.environment().put("GIT_CEILING_DIRECTORIES", Objects.toString(root.getParent()));
         try {
             Process process = git.start();

@@ -35,7 +35,7 @@ final class Links {
         return List.copyOf(pictures);
     }
 
-    /** Returns the other files and folders of the project that pages refer to. */
+    /** Returns the remaining files and folders of the project that pages refer to. */
     List<Path> files() {
         return List.copyOf(files);
     }

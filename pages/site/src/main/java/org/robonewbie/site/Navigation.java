@@ -55,7 +55,7 @@ final class Navigation {
      */
     record Entry(Article article, List<Article> below) {}
 
-    /** Reads the order from the start page, whose links must not have been translated yet. */
+    /** Reads the chapters and pages from the start page, whose links must not have been translated yet. */
     static Navigation of(Article start, Map<Path, Article> articles) {
         List<Chapter> chapters = new ArrayList<>();
         for (Node node = start.document().getFirstChild(); node != null; node = node.getNext()) {
@@ -74,7 +74,7 @@ final class Navigation {
         return chapters;
     }
 
-    /** Returns the first chapter with an article. */
+    /** Returns the first chapter that contains an article. */
     Optional<Chapter> chapterOf(Article article) {
         return chapters.stream()
                 .filter(chapter -> chapter.address().equals(article.address())

@@ -86,7 +86,7 @@ final class PageFrame {
         return address.equals(START) ? " class=\"front\"" : "";
     }
 
-    /** Lists the pages of a chapter with a link to all others; without a chapter, lists the pages of all chapters. */
+    /** Lists the pages of a chapter and links to the start page; without a chapter, lists the pages of all chapters. */
     private String list(String address, Optional<Navigation.Chapter> only) {
         return only.map(chapter ->
                         list(address, chapter) + "<p>" + link(address, START, "All documentation", "") + "</p>\n")

@@ -16,8 +16,8 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * Builds the documentation site: all Markdown pages of the project as HTML that works offline, from a folder and from the studio. A broken
- * link fails the build.
+ * Builds the documentation site: all Markdown pages of the project as HTML that works offline, both from a folder and in the studio. A
+ * broken link fails the build.
  */
 public final class SiteBuilder {
 

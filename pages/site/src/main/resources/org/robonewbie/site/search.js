@@ -29,14 +29,14 @@
     },
   }[language];
 
-  /** Folds case and accents and keeps the length. */
+  /** Folds case and accents without changing the length. */
   const folded = (text) =>
     text
       .normalize('NFD')
       .replace(/\p{Mn}/gu, '')
       .toLowerCase();
 
-  /** Splits a text into words; a name such as getJointAngle is also found by its parts. */
+  /** Splits a text into words; also returns the parts of names such as getJointAngle. */
   function tokenize(text) {
     return text.split(/[^\p{L}\p{N}]+/u).flatMap((word) => {
       const parts = word.replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2').split(' ');
@@ -48,7 +48,7 @@
     return STOP_WORDS.has(word.toLowerCase()) ? null : folded(word).replace(/^(.{4,})(?:ing|ed|s)$/, '$1');
   }
 
-  /** Sections in the language and for the readers of this page rank higher. */
+  /** Ranks sections higher if they have the same language or the same readers as this page. */
   function boostDocument(id) {
     const section = globalThis.searchIndex[id];
     return (section.language === language ? 1 : 0.3) * (section.part === part ? 2 : 1);
@@ -60,7 +60,7 @@
     return engine;
   }
 
-  /** Returns the best hits, which may have only some of the words; misspelt words count only if there are few others. */
+  /** Returns the best hits, which may contain only some of the words; misspelt words match only if there are few exact hits. */
   function find(engine, query) {
     const search = (fuzzy) =>
       engine.search(query, { fuzzy, boostDocument, boost: { page: 5, title: 4 }, prefix: true });
@@ -118,7 +118,7 @@
   let made;
   const engine = () => (made ??= Promise.all(SCRIPTS.map(load)).then(makeEngine));
 
-  /** Moves the focus among the field and the hits. */
+  /** Moves the focus between the search field and the hits. */
   function step(field, found, steps) {
     const places = [field, ...found.querySelectorAll('a')];
     places[Math.max(0, Math.min(places.length - 1, places.indexOf(document.activeElement) + steps))].focus();

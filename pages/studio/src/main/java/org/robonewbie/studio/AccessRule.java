@@ -55,9 +55,7 @@ final class AccessRule {
         return Optional.empty();
     }
 
-    /**
-     * A page from another port of this computer also sends the cookie, but its Sec-Fetch-Site header is {@code same-site}.
-     */
+    /** A page from another port of this computer also sends the cookie, but with the Sec-Fetch-Site header {@code same-site}. */
     private static Optional<String> refusalOfUse(
             boolean isLive, String method, String origin, String site, boolean isSignedIn) {
         if (FOREIGN_SITES.contains(site)) {

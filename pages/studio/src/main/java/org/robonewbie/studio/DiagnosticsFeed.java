@@ -26,7 +26,7 @@ final class DiagnosticsFeed {
         return Optional.empty();
     }
 
-    /** Forgets the messages of programs that have been replaced, which may occur again. */
+    /** Forgets the messages of programs that have been replaced, so that recurring ones are reported again. */
     void clear() {
         sent.clear();
     }

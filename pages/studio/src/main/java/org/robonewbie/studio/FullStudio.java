@@ -6,8 +6,8 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.HostProgram;
 
 /**
- * Opens the studio with all its rooms. The application provides it through {@link ServiceLoader}; without it, the studio of an
- * agent has no exercises, and its program cannot be edited.
+ * Opens the complete studio. The application provides an implementation through {@link ServiceLoader}; without one, the studio that an
+ * agent opens has no exercises and cannot edit programs.
  */
 public interface FullStudio {
 

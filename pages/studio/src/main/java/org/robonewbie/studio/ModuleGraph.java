@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Adds {@code modulepreload} links for all scripts of a page. Without them a browser discovers imports only after it has parsed
- * the importing script, one layer per round trip.
+ * Adds {@code modulepreload} links for all scripts of a page. Without them, a browser discovers imports only after it has parsed the
+ * importing script, one layer per round trip.
  */
 public final class ModuleGraph {
 

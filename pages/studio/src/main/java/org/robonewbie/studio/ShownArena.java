@@ -20,8 +20,8 @@ final class ShownArena implements Arena {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     /**
-     * Number of cycles that a new agent needs to receive its number and move to its line-up position. A state that is
-     * restored earlier would confuse the agent.
+     * Number of cycles that a new agent needs to receive its player number and move to its line-up position. A state
+     * that is restored earlier would confuse the agent.
      */
     private static final int CYCLES_TO_SETTLE = 12;
 

@@ -15,7 +15,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * Proxy for the displayed simulation. It switches between the free pitch and trials of exercises; each switch moves the
+ * Proxy for the displayed simulation. It switches between free play and trials of exercises; each switch moves the
  * observers to the new simulation.
  */
 public final class ShownSimulation implements SimulationControl {

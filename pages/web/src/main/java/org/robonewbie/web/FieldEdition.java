@@ -5,8 +5,8 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call: they run shipped agents, try motions and answer requests. Each exported method becomes a function
- * of the WebAssembly module; that of {@link WebEdition} contains them as static methods of this class.
+ * Functions that the page's scripts call: they run example agents, try motions and answer requests. Each exported method becomes a function
+ * of the WebAssembly module; in the module of {@link WebEdition}, it is a static method of this class.
  */
 public final class FieldEdition {
 
@@ -30,7 +30,7 @@ public final class FieldEdition {
     public static void main(String[] args) {}
 
     /**
-     * Runs a shipped agent alone, without a display.
+     * Runs an example agent alone, without a display.
      *
      * @param agent class name of the agent
      * @param seed random seed
@@ -43,7 +43,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Lists the shipped agents.
+     * Lists the example agents.
      *
      * @return the class names of the agents, separated by spaces
      */
@@ -89,12 +89,12 @@ public final class FieldEdition {
     }
 
     /**
-     * Reads the next bytes of a recording that the browser has stored.
+     * Parses the next bytes of a recording that the browser has stored.
      *
      * @param id identifier of the recording
      * @param from offset of the bytes in the uncompressed recording
-     * @param bytes the bytes; ignored if others must be read first
-     * @return offset of the bytes to be read next
+     * @param bytes the bytes; ignored if others must be parsed first
+     * @return offset of the bytes to be passed next
      */
     @JSExport
     public static int readRecording(String id, int from, Int8Array bytes) {
@@ -124,7 +124,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Starts a world with shipped agents and shows it.
+     * Starts a world with example agents and shows it.
      *
      * @param agents class names of the agents, separated by spaces
      * @param seed random seed
@@ -135,7 +135,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Adds a shipped agent to the displayed world.
+     * Adds an example agent to the displayed world.
      *
      * @param agent class name of the agent
      */

@@ -24,7 +24,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** The beginners' world with free play: shipped agents, manually controlled robots (puppets) and one student's program. */
+/** The beginners' world with free play: example agents, manually controlled robots (puppets) and one student's program. */
 final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
@@ -73,7 +73,7 @@ final class FreePitch implements EditableWorld {
         return this;
     }
 
-    /** The first robot of each team starts at the pose that its program requests; the others start behind it. */
+    /** Returns a robot's options. The first robot of each team starts at the pose that its program requests, the others behind it. */
     private static Options asNumber(int before, Options usual) {
         Options own = usual.withSeconds(StudentProgram.FOREVER_SECONDS);
         Options ofTeam = before % TEAMS == 0 ? own : own.withTeam(GUESTS).withNumber(0);
@@ -170,7 +170,7 @@ final class FreePitch implements EditableWorld {
         return puppet;
     }
 
-    /** A robot leaves when its next message is due, so the world is advanced until then, even if it is paused. */
+    /** Removes a robot. It leaves when its next message is due, so the world is advanced until then, even if paused. */
     private void leave(Player player) {
         int before = seats().size();
         players.remove(player);

@@ -8,7 +8,9 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.team.tactics.Assignment;
 
-/** Calls methods that take arrays of primitives, because the compiled module cannot call such methods by reflection. */
+/**
+ * Calls methods that take arrays of primitives directly, because the compiled module cannot call them by reflection.
+ */
 final class NumberArrays {
 
     /** Result of a void method. */

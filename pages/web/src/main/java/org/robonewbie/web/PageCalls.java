@@ -13,7 +13,7 @@ final class PageCalls {
     /**
      * Executes a static call.
      *
-     * @param owner the class, with slashes
+     * @param owner internal name of the class, such as {@code java/lang/Math}
      * @param name name of the method
      * @param arguments its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN} if the method is not replaced

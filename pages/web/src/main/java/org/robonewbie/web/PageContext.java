@@ -41,17 +41,17 @@ final class PageContext {
     private PageContext() {}
 
     /**
-     * Adds students' programs.
+     * Adds support for students' programs to the page.
      *
-     * @param left called before another world is shown
-     * @param started starts attempts
+     * @param left called when the user leaves the current world, before another is shown
+     * @param started starts an attempt at an exercise
      */
     static void addPrograms(Runnable left, PageCourse.Starter started) {
         leave = left;
         COURSE.startWith(started);
     }
 
-    /** Shows shipped agents, given as class names separated by spaces. */
+    /** Shows a world with example agents, given as class names separated by spaces. */
     static void begin(String agents, int seed) {
         begin(agents, seed, empty -> {});
     }
@@ -77,7 +77,7 @@ final class PageContext {
                 .toList();
     }
 
-    /** Adds a shipped agent to the displayed world. */
+    /** Adds an example agent to the displayed world. */
     static void join(String agent) {
         pitch.ifPresent(shown -> shown.with(ShippedAgents.make(agent)));
     }
@@ -107,7 +107,7 @@ final class PageContext {
         pitch = Optional.empty();
     }
 
-    /** Executes a command from the page, one JSON object. */
+    /** Executes a command from the page, given as a JSON object. */
     static void ask(String command) {
         if (world != null) {
             world.ask(command);

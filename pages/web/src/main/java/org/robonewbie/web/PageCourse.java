@@ -31,7 +31,7 @@ final class PageCourse implements CourseHost, ProgressStore {
     private ServiceRequest request = new ServiceRequest(new JsonObject());
     private Progress progress = new Progress(Map.of());
 
-    /** Starts attempts. */
+    /** Starts attempts at exercises. */
     @FunctionalInterface
     interface Starter {
 

@@ -34,12 +34,12 @@ final class PageRecordings implements RecordingStore {
     }
 
     /**
-     * Reads the next bytes of a recording.
+     * Parses the next bytes of a recording.
      *
      * @param id its identifier
      * @param from offset of the bytes in the uncompressed recording
-     * @param bytes the bytes; ignored if others must be read first
-     * @return offset of the bytes to be read next
+     * @param bytes the bytes; ignored if others must be parsed first
+     * @return offset of the bytes to be passed next
      */
     int read(String id, int from, byte[] bytes) {
         Reader reader = readers.computeIfAbsent(id, each -> new Reader());
@@ -116,7 +116,7 @@ final class PageRecordings implements RecordingStore {
         return change(find(name, true), Json.object(REMOVED_AT, 0));
     }
 
-    /** Posts a change of a recording, if it is stored. */
+    /** Posts a change of a recording's metadata, if the recording is stored. */
     private static boolean change(Optional<JsonObject> entry, JsonObject change) {
         entry.ifPresent(stored -> {
             change.add("id", stored.get("id"));

@@ -10,12 +10,12 @@ import org.robonewbie.studio.scene.SavedScene;
 import org.robonewbie.studio.scene.SceneStore;
 
 /**
- * Scenes in the page. Each request contains the names of the scenes that the browser has stored, and the texts of those it
- * names. The page receives changes as messages and stores them.
+ * Scenes in the page. Each request contains the names of the scenes that the browser has stored, and the texts of those that it refers to.
+ * The page receives changes as messages and stores them.
  */
 final class PageScenes implements SceneStore {
 
-    /** Scenes with one character per byte; empty if the text has not been needed yet. */
+    /** Texts of the scenes by name, with one character per byte; empty if the text has not been needed yet. */
     private final TreeMap<String, String> scenes = new TreeMap<>();
 
     /** Answers a request; returns JSON, or a sentence if the request is refused. */

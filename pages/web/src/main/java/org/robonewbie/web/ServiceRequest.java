@@ -43,12 +43,12 @@ record ServiceRequest(JsonObject json) {
                 name -> parameters.has(name) ? parameters.get(name).getAsString() : ""));
     }
 
-    /** Returns the texts of an array. */
+    /** Returns the strings in a JSON array. */
     List<String> texts(String name) {
         return elements(name).map(JsonElement::getAsString).toList();
     }
 
-    /** Returns the elements of an array. */
+    /** Returns the elements of a JSON array. */
     Stream<JsonElement> elements(String name) {
         return StreamSupport.stream(json.getAsJsonArray(name).spliterator(), false);
     }

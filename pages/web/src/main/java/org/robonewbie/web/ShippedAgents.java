@@ -18,8 +18,8 @@ import org.robonewbie.examples.Agent_TestPerceptorInput;
 import org.robonewbie.examples.Agent_TestSelfLocalisation;
 
 /**
- * Agents that are shipped with the page: the examples in which the framework runs the cycle. Examples that call {@code Nao}
- * themselves would have to be suspended in the middle of a call, and examples with threads cannot run in a page.
+ * The example agents that the page offers: those in which the framework runs the cycle. Examples that call {@code Nao} themselves would
+ * have to be suspended in the middle of a call, and examples with threads cannot run in a page.
  */
 final class ShippedAgents {
 

@@ -22,7 +22,7 @@ interface SteppedWorld {
      * Returns the current state.
      *
      * @param paused whether it is paused
-     * @param speed simulated seconds per second
+     * @param speed simulated seconds per second of real time
      * @return the current state
      */
     WorldSnapshot snapshot(boolean paused, double speed);

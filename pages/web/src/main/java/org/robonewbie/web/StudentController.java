@@ -14,7 +14,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
-/** Controller of a robot in a trial that runs a student's agent. Each robot has its own copy of the program's static fields. */
+/** Controller that runs a student's agent on a robot in a trial. Each robot has its own copy of the program's static fields. */
 final class StudentController implements Controller {
 
     private final Machine machine;

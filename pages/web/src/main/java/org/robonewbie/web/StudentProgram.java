@@ -28,7 +28,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
  */
 final class StudentProgram {
 
-    /** Practically unlimited, because the user ends the game, not the program. */
+    /** A practically unlimited time, because the user, not the program, ends the game. */
     static final double FOREVER_SECONDS = 1e6;
 
     private final Machine machine;

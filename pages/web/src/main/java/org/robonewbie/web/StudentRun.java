@@ -69,7 +69,10 @@ final class StudentRun {
         end(1);
     }
 
-    /** In a page, stack frames of the compiled program have a placeholder for the class name. */
+    /**
+     * Returns whether a stack frame is the student's; in a page, frames of the compiled module have a placeholder for
+     * the class name.
+     */
     private static boolean isOfProgram(StackTraceElement call) {
         return !call.getClassName().endsWith(NO_CLASS);
     }

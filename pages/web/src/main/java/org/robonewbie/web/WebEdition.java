@@ -19,8 +19,8 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while the user is programming, beside those of {@link FieldEdition}. Each exported method becomes a
- * function of the WebAssembly module, which is twice as large as that of {@code FieldEdition}.
+ * Functions that the page's scripts call while the user is programming, in addition to those of {@link FieldEdition}. Each exported method
+ * becomes a function of the WebAssembly module, which is twice as large as that of {@code FieldEdition}.
  */
 public final class WebEdition {
 
@@ -89,7 +89,7 @@ public final class WebEdition {
      * Starts a world with the program whose classes were added.
      *
      * @param seed random seed
-     * @param others class names of shipped agents that also play, separated by spaces
+     * @param others class names of example agents that also play, separated by spaces
      * @return why the program cannot run in the page; empty if it runs
      */
     @JSExport
@@ -134,7 +134,7 @@ public final class WebEdition {
     }
 
     /**
-     * Answers a request of the pages for a class without accounts.
+     * Answers a request from the pages for school classes, which need no accounts.
      *
      * @param action name of the request
      * @param request one JSON object

@@ -14,11 +14,12 @@ import org.robonewbie.protocol.order.Order.SetTime;
 import org.robonewbie.simulator.world.BallProperties;
 
 /**
- * Sets the ball in motion with trainer commands and records it through the monitor port. An idle robot keeps the server in
- * step.
+ * Sets the ball in motion with trainer commands and records it through the monitor port. An idle robot answers every
+ * message, so that the server advances.
  *
- * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and a case
- * starts with the first message that shows it elsewhere, even a partial scene. The game clock assigns the messages to cycles.
+ * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and
+ * a case starts with the first message that shows it elsewhere, even a partial scene. Messages are assigned to cycles
+ * by the game clock.
  */
 final class BallSession {
 
@@ -35,7 +36,10 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /** Records one case. Returns one line per cycle, with the ball where the monitor received a full scene. */
+    /**
+     * Records one case. Returns one line per cycle, with the ball's position if the monitor received a full scene in this
+     * cycle.
+     */
     List<String> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);

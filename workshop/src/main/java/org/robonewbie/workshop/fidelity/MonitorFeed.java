@@ -67,8 +67,8 @@ final class MonitorFeed implements AutoCloseable {
     }
 
     /**
-     * Waits until the messages stop changing, which means that the server is waiting. While it waits, the server may
-     * repeat its last message.
+     * Waits until the messages stop changing, which means that the server is waiting for the agent. In the meantime,
+     * the server may repeat its last message.
      */
     void awaitQuiet() throws IOException {
         long start = System.nanoTime();
@@ -94,7 +94,7 @@ final class MonitorFeed implements AutoCloseable {
         return count();
     }
 
-    /** Returns whether more messages than expected arrive. */
+    /** Waits briefly and returns whether more than the given total number of messages have arrived. */
     boolean hasMoreThan(int messages) {
         return await(messages + 1, LATE_NANOSECONDS);
     }

@@ -18,7 +18,7 @@ import org.robonewbie.simulator.physics.BodyPose;
 /** Parser for the commands of a recorded client. */
 final class RecordedCommands {
 
-    /** Height of the torso after a beam, in metres. */
+    /** Height in metres of the torso of a robot that has just been beamed. */
     static final double BEAM_HEIGHT = 0.4;
 
     private static final String HOLD_ALL_JOINTS = "HOLD";
@@ -37,7 +37,7 @@ final class RecordedCommands {
      * Parses one answer.
      *
      * @param sent text of the answer
-     * @param nextTorso torso pose in the next row, which gives the real target of a beam on a server with noise
+     * @param nextTorso torso pose in the next row, to which a server with noise has really beamed the robot
      * @return hinge speeds and beams; other commands do not move a robot
      */
     List<EffectorCommand> read(String sent, Optional<BodyPose> nextTorso) {

@@ -64,7 +64,7 @@ final class RecordedStart {
         stage.placeBall(place.z() < radius ? new Vector3(place.x(), place.y(), radius) : place);
     }
 
-    /** Corrects the position of a resting robot, because a server with noise changes the target of a beam. */
+    /** Corrects the position of a resting robot, because a server with noise does not beam robots exactly to their targets. */
     private void shiftTo(Vector3 place) {
         Vector3 torso = robot.torso().position();
         if (robot.isAsleep() && Math.hypot(place.x() - torso.x(), place.y() - torso.y()) > PRINTED_METRES) {

@@ -41,7 +41,7 @@ final class ReferenceSession implements AutoCloseable {
      *
      * @param lines one line per cycle, without the header
      * @param way start sequence of the robot; empty if balls were recorded
-     * @param isNoisy whether the beam missed its target
+     * @param isNoisy whether the server did not beam the robot exactly to its target
      */
     record Take(List<String> lines, Optional<JoiningWay> way, boolean isNoisy) {}
 

@@ -123,7 +123,7 @@ final class RowWriter {
         return Math.asin(Math.max(-1, Math.min(1, sine)));
     }
 
-    /** Rounds to the six digits of monitor messages. */
+    /** Rounds to six significant digits, as in monitor messages. */
     private static BigDecimal digits(double value) {
         return new BigDecimal(value).round(SIX_DIGITS);
     }

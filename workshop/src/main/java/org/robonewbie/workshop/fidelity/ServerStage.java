@@ -96,8 +96,8 @@ final class ServerStage implements ReplayStage {
     }
 
     /**
-     * Lets other robots join and leave, because a server never reuses a start position and its first team plays on the
-     * left.
+     * Lets other robots join and leave first, so that the robot gets the right start position and side: a server never reuses
+     * a start position, and its first team plays on the left.
      */
     private static void leavePlacesBefore(JoiningWay way, SteppedServer server) throws IOException {
         if (way.side() == TeamSide.RIGHT) {

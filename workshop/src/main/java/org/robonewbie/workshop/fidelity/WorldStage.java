@@ -49,7 +49,7 @@ final class WorldStage implements ReplayStage {
         // There are no external resources.
     }
 
-    /** Joins as on a server, where the robot falls for several cycles before it has a team. */
+    /** Lets the robot join as on a server, where it falls for several cycles before it has a team. */
     private void join(JoiningWay way) {
         for (int i = 0; i < way.cyclesToInit(); i++) {
             world.step();

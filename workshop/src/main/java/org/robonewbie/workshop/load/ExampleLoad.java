@@ -25,8 +25,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
 
 /**
- * Plays each example over TCP on a simulator that keeps real time, and measures the processor time of its cycles and the
- * cycles that it misses.
+ * Plays each example over TCP on a simulator that runs in real time, and measures the processor time of its cycles and
+ * the cycles that it misses.
  */
 public final class ExampleLoad {
 

@@ -64,7 +64,7 @@ final class LoadPlayer extends SyntheticPlayer {
         message.gameState().ifPresent(this::watch);
     }
 
-    /** Called only by the player's thread, which is the single writer of these fields. */
+    /** Called only by the player's thread; no other thread writes the volatile fields. */
     @SuppressWarnings("NonAtomicVolatileUpdate")
     private void watch(GameState state) {
         boolean over = state.playModeName().equals(PlayMode.GAME_OVER.simSparkName());

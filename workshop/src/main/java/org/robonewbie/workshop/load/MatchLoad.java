@@ -184,7 +184,7 @@ public final class MatchLoad {
             beganProcess = processSeconds();
         }
 
-        /** Ends the measurement. The heap is evaluated last, because it needs the next kick-off. */
+        /** Ends the measurement. The heap is measured last, because that requires waiting for the next kick-off. */
         MatchLoadResult result(int match, DoubleSupplier heapMegabytes) {
             long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
             double server = simulator.processorSeconds() - beganServer;

@@ -62,8 +62,8 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
     }
 
     /**
-     * Returns an environment with an agent that uses a learned run and steers by its own sensors; otherwise like {@link
-     * #onLeaguePitch(RobotType, WalkStyle)}.
+     * Returns an environment with an agent that runs with a learned gait and steers by its own sensors; otherwise like
+     * {@link #onLeaguePitch(RobotType, WalkStyle)}.
      */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned, LineKeeping keeping) {
         String words = ON_LEAGUE_PITCH + "; it steers by its own sensors";

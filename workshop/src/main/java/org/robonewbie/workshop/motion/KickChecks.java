@@ -109,7 +109,7 @@ final class KickChecks {
      * Result of a kick.
      *
      * @param metres distance that the ball travels along the robot's heading
-     * @param degreesAside direction of the ball, positive to the left
+     * @param degreesAside direction of the ball relative to the robot's heading, positive to the left
      * @param standing whether the robot ends in its standard stance
      */
     private record Kick(double metres, double degreesAside, boolean standing) {}

@@ -85,7 +85,7 @@ final class RunChecks {
             String stopping,
             double secondsToSlowDown) {
 
-        /** The run, at less than its maximum speed for stability over long distances. */
+        /** The run, below its maximum speed, so that the robot stays stable over long distances. */
         static final Gait RUN = new Gait("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3);
 
         static final Gait JOG = new Gait("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);

@@ -21,8 +21,8 @@ final class AgentThreads implements AutoCloseable {
     }
 
     /**
-     * Runs one cycle of each agent. Falls back to one thread while any message is missing, because a waiting agent
-     * advances the world.
+     * Runs one cycle of each agent. Uses only one thread while any message is missing, because an agent that waits for
+     * its message advances the world.
      */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
         Crew all = crew.helpers().isEmpty() || haveAllMessages(agents) ? crew : Crew.ALONE;

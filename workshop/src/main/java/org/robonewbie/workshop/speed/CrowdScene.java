@@ -63,7 +63,7 @@ public enum CrowdScene {
     /** Returns the target angle of a joint. */
     abstract double targetDegrees(Joint joint, int robot, int cycle);
 
-    /** Returns the angle of a joint for bent knees and level soles; lifting a foot bends the knees further. */
+    /** Returns the angle of a joint for bent knees and level soles; lifting a foot bends its knee further. */
     private static double crouch(Joint joint, double lift) {
         double bend = CROUCH_DEGREES + LIFT_DEGREES * lift;
         return switch (joint) {

@@ -112,7 +112,7 @@ public final class AgentMeasurement {
     /**
      * Plays all games and prints a Markdown table.
      *
-     * @param part substring that the names of the playing agents contain
+     * @param part substring of the names of the agents to measure; empty for all
      * @param json file for the results; empty for none
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if no name contains the substring
@@ -136,7 +136,7 @@ public final class AgentMeasurement {
         return results;
     }
 
-    /** {@return what each measured agent has to do, by the name of the agent, in the order of the table} */
+    /** {@return the task of each measured agent, keyed by its name, in the order of the printed table} */
     public static Map<String, String> rules() {
         Map<String, String> rules = new LinkedHashMap<>();
         tasks().forEach(task -> rules.put(task.name, task.rule));

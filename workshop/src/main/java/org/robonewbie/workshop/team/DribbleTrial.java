@@ -44,12 +44,12 @@ record DribbleTrial(double seconds, double farthest) {
         return new DribbleTrial(seconds, farthest);
     }
 
-    /** Returns whether the ball had moved 5 m ahead within 10 s. */
+    /** Returns whether the ball had moved 5 m forward within 10 s. */
     boolean isInTime() {
         return seconds <= MAX_SECONDS;
     }
 
-    /** Returns whether the trial succeeded and the ball was never more than 0.5 m away. */
+    /** Returns whether the trial succeeded and the ball was never more than 0.5 m away from the robot. */
     boolean isClose() {
         return isInTime() && farthest <= MAX_METRES;
     }

@@ -152,7 +152,7 @@ final class TeamMatch {
         ballSpeed = speed;
     }
 
-    /** Returns the index of the robot at the ball; −1 if there is none. */
+    /** Returns the index of the robot nearest to the ball; −1 if no robot can touch the ball. */
     private int nearest() {
         double[] metres = now.robots().stream()
                 .mapToDouble(robot -> distance(robot, now.ball()))

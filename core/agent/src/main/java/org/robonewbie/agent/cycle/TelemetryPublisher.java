@@ -68,7 +68,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Takes the value that a viewer has requested for a tunable number.
+     * Removes and returns the value that a viewer has requested for a tunable number.
      *
      * @param name name of the number
      * @return the requested value; empty if there is no request

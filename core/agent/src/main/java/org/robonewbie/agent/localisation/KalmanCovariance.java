@@ -44,7 +44,7 @@ final class KalmanCovariance {
      * @param gradient the derivatives of the measurement with respect to the states
      * @param innovation measured minus expected value
      * @param deviation standard deviation of the measurement
-     * @param gateDeviations larger innovations, in standard deviations, are rejected
+     * @param gateDeviations maximum innovation, in standard deviations of the innovation; larger ones are rejected
      * @return the gain times the innovation, to be added to the states; empty if the measurement is rejected
      */
     Optional<double[]> correct(double[] gradient, double innovation, double deviation, double gateDeviations) {

@@ -229,8 +229,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Returns the largest difference, in metres, between the measured distances from the first landmark to the others
-     * and those on the map.
+     * Returns the largest difference, in metres, between the measured distances from the first landmark to the others and the
+     * corresponding distances on the map.
      */
     private static double distanceError(List<Sighting> sightings) {
         Sighting first = sightings.get(0);

@@ -7,7 +7,7 @@ import org.robonewbie.nao.motion.Motors;
 
 /**
  * A smooth, elliptical head scan: down on the way out and up on the way back, so that the camera covers everything from
- * the robot's feet to the goals, through nearly 240° horizontally. It uses only the neck, so the body can play any
+ * the robot's feet to the goals, over nearly 240° horizontally. It uses only the neck, so the body can play any
  * motion at the same time.
  *
  * <pre>{@code

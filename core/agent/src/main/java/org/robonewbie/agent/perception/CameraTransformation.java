@@ -6,8 +6,8 @@ import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Converts directions relative to the turned head to directions relative to a head that looks straight ahead. Implement
- * it to try a better conversion.
+ * Converts directions relative to the turned head to directions relative to a head that looks straight ahead. Implement this
+ * interface to try a better conversion.
  */
 @FunctionalInterface
 public interface CameraTransformation {

@@ -4,7 +4,7 @@ package org.robonewbie.agent.policy;
  * An input or output of a policy.
  *
  * @param name name of the quantity, such as {@code gyro.forward}
- * @param unit unit of measurement, such as {@code degrees/s}, or {@code 10 degrees} for a multiple of that; {@code 1}
- *     if dimensionless
+ * @param unit unit of measurement, such as {@code degrees/s}, optionally with a factor, as in {@code 10 degrees}; {@code 1} if
+ *     dimensionless
  */
 public record Quantity(String name, String unit) {}

@@ -62,7 +62,7 @@ public final class DeadlineMonitor implements MessagePort {
         return received;
     }
 
-    /** Returns the delay of the message in seconds, relative to the last message that was not late. */
+    /** Returns the delay, in seconds, of the current message relative to the last message that was not late. */
     private double secondsBehind(OptionalDouble messageSeconds) throws IOException {
         if (messageSeconds.isEmpty()) {
             return 0;

@@ -26,7 +26,7 @@ public final class JoinTurn {
         this.silence = silence;
     }
 
-    /** Marks that the server has answered the robot. */
+    /** Records that the server has answered the robot. */
     public void answered() {
         answered.countDown();
     }

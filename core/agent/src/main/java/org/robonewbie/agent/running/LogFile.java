@@ -18,7 +18,7 @@ public final class LogFile implements LogOverflow {
     private Optional<Path> file = Optional.empty();
     private long lines;
 
-    /** Creates an overflow whose file is created on demand. */
+    /** Creates an instance; the file is created on demand. */
     public LogFile() {}
 
     @Override

@@ -10,8 +10,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Creates further instances of a robot to find out which fields depend on tunable numbers: values that differ between
- * two instances with different numbers were computed from them, and only these are updated in a running robot.
+ * Creates further instances of a robot to find out which fields depend on tunable numbers: a value that differs between two
+ * instances with different numbers was computed from the numbers. Only such values are updated in a running robot.
  */
 public final class PrototypeProbe {
 

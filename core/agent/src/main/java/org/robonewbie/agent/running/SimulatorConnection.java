@@ -16,7 +16,7 @@ import org.robonewbie.protocol.tcp.TelemetryClient;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** Connection to the simulator of the robots: an embedded one, or a server that they join. */
+/** Connection from a program's robots to their simulator: an embedded one, or a server that they join. */
 public final class SimulatorConnection implements AutoCloseable {
 
     private static final String ALREADY_RUNNING =

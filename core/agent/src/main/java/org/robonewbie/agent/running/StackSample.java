@@ -7,8 +7,8 @@ import org.robonewbie.agent.log.StudentCode;
 /**
  * Activity of a thread at one moment, as shown by its stack.
  *
- * @param kind whether it computes, sleeps or waits
- * @param call the Java method in which the program sleeps or waits, such as {@code Scanner.nextLine()}; empty if it computes
+ * @param kind whether the thread is computing, sleeping or waiting
+ * @param call the Java method in which the program sleeps or waits, such as {@code Scanner.nextLine()}; empty if it is computing
  * @param place the line of the robot's own program; empty if only the framework is running
  */
 public record StackSample(Kind kind, String call, String place) {
@@ -16,13 +16,13 @@ public record StackSample(Kind kind, String call, String place) {
     /** Kind of activity. */
     public enum Kind {
 
-        /** The thread computes. */
+        /** The thread is computing. */
         COMPUTES,
 
-        /** The thread sleeps. */
+        /** The thread is sleeping. */
         SLEEPS,
 
-        /** The thread waits for input, a lock or another thread. */
+        /** The thread is waiting for input, a lock or another thread. */
         WAITS
     }
 

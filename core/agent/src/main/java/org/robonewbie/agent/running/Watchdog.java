@@ -41,7 +41,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private long same = -1;
     private int ticks;
     private int allTicks;
-    /** Where the current stall was first reported, so that all its reports name the same line; empty before. */
+    /** Line named in the first report of the current stall and repeated in later ones; empty before the first. */
     private Optional<String> reportedPlace = Optional.empty();
 
     Watchdog(

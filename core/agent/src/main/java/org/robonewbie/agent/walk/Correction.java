@@ -34,7 +34,7 @@ public record Correction(
         swingLeft = limit(swingLeft, MAX_METRES);
     }
 
-    /** Adds the corrections to the joint angles, which are in the order of {@link Joint}, and clamps these to their ranges. */
+    /** Adds the corrections to joint angles in the order of {@link Joint} and clamps the sums to the joints' ranges. */
     void addTo(double[] degrees) {
         degrees[Joint.LEFT_FOOT_PITCH.ordinal()] += anklePitchDegrees;
         degrees[Joint.RIGHT_FOOT_PITCH.ordinal()] += anklePitchDegrees;

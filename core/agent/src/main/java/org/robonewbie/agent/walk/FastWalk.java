@@ -31,7 +31,7 @@ public final class FastWalk {
     }
 
     /**
-     * Creates a style from the coordinates of a search.
+     * Creates a style from coordinates in the search space.
      *
      * @param x {@link #PARAMETERS} coordinates
      * @return the style

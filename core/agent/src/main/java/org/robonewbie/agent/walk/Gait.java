@@ -19,7 +19,7 @@ package org.robonewbie.agent.walk;
  * @param toeDegrees amplitude of the toes' pitch, up at the beginning of the swing and down at its end
  * @param bounceAmplitude amplitude of the torso's vertical oscillation
  * @param bouncePhase phase lead of the bounce, as a fraction of a step
- * @param armSwing arm swing in degrees per metre between the feet
+ * @param armSwing arm swing in degrees per metre of stride
  * @param swingEasing softness of the swing foot's start and stop: 0 moves at constant speed, 1 starts and ends at rest with a
  *     higher speed in between
  */
@@ -42,7 +42,7 @@ public record Gait(
         double armSwing,
         double swingEasing) {
 
-    /** Creates a gait from the coordinates of a search, see {@link WalkParameter}. */
+    /** Creates a gait from coordinates in the search space, see {@link WalkParameter}. */
     static Gait of(int stepMillis, double[] x, double armSwing, double swingEasing) {
         return new Gait(
                 stepMillis,

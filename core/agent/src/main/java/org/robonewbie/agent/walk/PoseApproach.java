@@ -4,9 +4,9 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Controller that walks to a target pose. Far away the robot faces the target and walks forward, its fastest direction; close
- * to the target it turns to the final heading and steps in any direction. It brakes in time: with the deceleration a, the speed
- * at distance d is √(2 a d).
+ * Controller that walks to a target pose. Far from the target, the robot faces it and walks forward, its fastest direction;
+ * close to it, the robot turns to the final heading and steps in any direction. It brakes in time: with the deceleration a, the
+ * speed at distance d is √(2 a d).
  *
  * <pre>{@code
  * PoseApproach approach = new PoseApproach(WalkStyle.STANDARD);

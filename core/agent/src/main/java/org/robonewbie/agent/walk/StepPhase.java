@@ -35,7 +35,7 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
 
     /**
      * Returns the height of the swing foot in metres: h · a · sin(πs)^1.2, where h is the lift height of the gait, a is
-     * the amplitude, and s = σ^exp(−skew) shifts the peak by its lift skew.
+     * the amplitude, and s = σ^exp(−skew) shifts the peak according to the gait's lift skew.
      */
     double lift() {
         double skewed = PortableMath.pow(swingPhase(), PortableMath.exp(-gait.liftSkew()));

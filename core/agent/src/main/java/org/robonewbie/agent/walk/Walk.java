@@ -11,8 +11,8 @@ package org.robonewbie.agent.walk;
  * }</pre>
  *
  * <p>A velocity holds until another one is set, {@link #stop} is called or a motion is started; the robot does not walk while a
- * motion is running. The velocity changes from step to step, and no step can be interrupted, so a reaction takes about half a
- * second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} makes it get up.
+ * motion is running. The velocity changes only between steps, and a step cannot be interrupted, so a reaction takes about half
+ * a second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} makes it get up.
  *
  * <p>The postures are computed by {@link WalkEngine}, which explains the method.
  */

@@ -209,8 +209,8 @@ public final class WalkEngine {
     }
 
     /**
-     * Returns the target of the swing foot: from the support foot to the path of the torso, along this path, and to the
-     * side of the swing foot.
+     * Returns the target of the swing foot, by moving from the support foot to the path of the torso, along this path, and out
+     * to the side of the swing foot.
      */
     private Pose2d target() {
         double seconds = style.gait().stepMillis() / 1000.0;

@@ -8,12 +8,12 @@ import org.robonewbie.nao.kinematics.Leg;
  *
  * @param swing the swing leg
  * @param phase step phase, 0 to 1
- * @param amplitude 1 while the robot walks, less in the first and the last step
+ * @param amplitude amplitude of the gait: 1 while the robot walks, less in the first and the last step
  * @param wanted requested velocity
  * @param velocity velocity for which the current step was planned
- * @param pitchError forward tilt of the torso beyond the plan, degrees
+ * @param pitchError forward tilt of the torso minus the planned tilt, degrees
  * @param pitchRate rate of the forward tilt, degrees per second
- * @param rollError tilt of the torso to the right beyond the plan, degrees
+ * @param rollError tilt of the torso to the right minus the planned tilt, degrees
  * @param rollRate rate of the tilt to the right, degrees per second
  * @param turnRate turn rate of the torso to the left, degrees per second
  * @param left force on the left sole

@@ -60,11 +60,11 @@ public enum WalkParameter {
     STEP_RIGHT("balance: step against sideways tilt", 0.5, 0, 0.001),
     /** Shift of the step to the right per degree per second of tilt rate to the right, metres. */
     STEP_RIGHT_RATE("balance: step against sideways tilt rate", 3.0, 0, 0.0001),
-    /** Maximum change of the forward speed from one step to the next, metres per second. */
+    /** Maximum change in the forward speed from one step to the next, metres per second. */
     SPEED_CHANGE("style: maximum acceleration", 0.9, 0.08, 0.02, 0.02, Double.POSITIVE_INFINITY),
-    /** Forward tilt per metre per second, degrees. */
+    /** Forward tilt per metre per second of forward speed, degrees. */
     LEAN_PER_SPEED("style: lean per speed", 0.1, 0, 3),
-    /** Shift of the ankles forward per metre per second, metres. */
+    /** Shift of the ankles forward per metre per second of forward speed, metres. */
     ANKLE_OFFSET_PER_SPEED("style: ankle offset per speed", -1.7, 0, 0.01),
     /** Forward tilt per metre per second of speed increase in a step, degrees. */
     LEAN_PER_CHANGE("style: lean per acceleration", -0.0, 0, 10);

@@ -23,9 +23,9 @@ import org.robonewbie.nao.model.RobotType;
  * @param gains gains of the balance control
  * @param most maximum speeds
  * @param backward maximum backward speed in metres per second
- * @param change maximum change of each speed from one step to the next
- * @param leanPerSpeed forward tilt of the torso per metre per second, degrees
- * @param ankleOffsetPerSpeed shift of the ankles forward per metre per second, metres
+ * @param change maximum change in each speed from one step to the next
+ * @param leanPerSpeed forward tilt of the torso per metre per second of forward speed, degrees
+ * @param ankleOffsetPerSpeed shift of the ankles forward per metre per second of forward speed, metres
  * @param leanPerChange forward tilt of the torso per metre per second of speed increase in a step, degrees
  * @param slip factors by which planned steps are longer than the resulting motion, because the feet slip
  */
@@ -97,7 +97,7 @@ public record WalkStyle(
     }
 
     /**
-     * Creates a style from the coordinates of a search, see {@link WalkParameter}.
+     * Creates a style from coordinates in the search space, see {@link WalkParameter}.
      *
      * @param stepMillis duration of a step in milliseconds
      * @param slip factors by which planned steps are longer than the resulting motion
@@ -130,7 +130,7 @@ public record WalkStyle(
      *
      * @param newMost maximum speeds
      * @param newBackward maximum backward speed in metres per second
-     * @param newChange maximum change of each speed from one step to the next
+     * @param newChange maximum change in each speed from one step to the next
      * @return the copy
      */
     public WalkStyle withLimits(WalkVelocity newMost, double newBackward, WalkVelocity newChange) {

@@ -35,7 +35,7 @@ public record WalkVelocity(double forward, double left, double turn) {
      * Moves towards another velocity with limited acceleration.
      *
      * @param wanted the other velocity
-     * @param change maximum change of each component
+     * @param change maximum change in each component
      * @return the other velocity, or one between the two
      */
     public WalkVelocity towards(WalkVelocity wanted, WalkVelocity change) {

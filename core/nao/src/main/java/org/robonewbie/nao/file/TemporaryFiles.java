@@ -40,7 +40,7 @@ public final class TemporaryFiles {
         }
     }
 
-    /** {@return a sentence with advice for choosing another folder} */
+    /** {@return a sentence with advice on choosing another folder} */
     public static String howToChoose() {
         return "Choose another folder with the environment variable JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER.";
     }

@@ -41,8 +41,7 @@ public final class TextFile {
     }
 
     /**
-     * Reads a file for a command or a program. If its encoding was guessed, prints a note to the terminal, once for each file and
-     * process.
+     * Reads a file. If its encoding was guessed, prints a note to the terminal, once for each file in a process.
      *
      * @param file the file
      * @return its text

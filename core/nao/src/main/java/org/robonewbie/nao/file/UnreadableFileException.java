@@ -21,7 +21,7 @@ public final class UnreadableFileException extends IOException {
         return new UnreadableFileException(PrintableText.of(file.toString()) + ", line " + line + ": " + problem);
     }
 
-    /** Creates an exception with a problem that follows the file's name, such as {@code does not exist.} */
+    /** Creates an exception from a problem phrased to follow the file's name, such as {@code does not exist.} */
     UnreadableFileException(Path file, String problem) {
         super(sentence(file, problem));
     }

@@ -135,7 +135,7 @@ public record Pose2d(double x, double y, double degrees) {
      * Returns how far a point lies to the left of this pose.
      *
      * @param point a point in the frame in which this pose is given
-     * @return distance across the heading in metres, negative to the right
+     * @return distance perpendicular to the heading in metres, negative to the right
      */
     public double left(Vector3 point) {
         return fromFrame(point).y();

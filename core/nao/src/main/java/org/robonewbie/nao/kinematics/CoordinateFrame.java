@@ -70,7 +70,7 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     /**
      * Rotates the frame about its left axis.
      *
-     * @param degrees angle in degrees; positive bends forward
+     * @param degrees angle in degrees; positive tilts the frame forward
      * @return the rotated frame
      */
     public CoordinateFrame turnedAboutY(double degrees) {

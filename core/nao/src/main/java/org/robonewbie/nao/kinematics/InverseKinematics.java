@@ -56,7 +56,7 @@ public final class InverseKinematics {
      *
      * @param leg the leg
      * @param foot target pose of the foot's box relative to the torso; the sole is 1 cm below the box's centre
-     * @return the angles; if the pose is unreachable, the angles that come closest to it
+     * @return the angles; if the pose is unreachable, those that bring the foot closest to it
      */
     public LegSolution solve(Leg leg, Pose foot) {
         return search(leg, CoordinateFrame.of(foot), BENT_KNEES);
@@ -68,7 +68,7 @@ public final class InverseKinematics {
      * @param leg the leg
      * @param foot target pose of the foot's box relative to the torso; the sole is 1 cm below the box's centre
      * @param near initial posture of the search
-     * @return the angles; if the pose is unreachable, the angles that come closest to it
+     * @return the angles; if the pose is unreachable, those that bring the foot closest to it
      */
     public LegSolution solve(Leg leg, Pose foot, Posture near) {
         return solve(leg, CoordinateFrame.of(foot), near);
@@ -80,7 +80,7 @@ public final class InverseKinematics {
      * @param leg the leg
      * @param foot target frame of the foot's box relative to the torso; the sole is 1 cm below the frame's origin
      * @param near initial posture of the search
-     * @return the angles; if the frame is unreachable, the angles that come closest to it
+     * @return the angles; if the frame is unreachable, those that bring the foot closest to it
      */
     public LegSolution solve(Leg leg, CoordinateFrame foot, Posture near) {
         double[] start = new double[LegChain.JOINTS];

@@ -52,7 +52,7 @@ final class LegSolver {
         }
     }
 
-    /** Searches from an initial posture. A result closer to the target than any before becomes the best. */
+    /** Searches from an initial posture. A result that is closer to the target than all earlier ones becomes the best result. */
     void solve(double[] startDegrees) {
         for (int i = 0; i < JOINTS; i++) {
             angles[i] = clamp(i, PortableMath.toRadians(startDegrees[i]));

@@ -93,7 +93,10 @@ final class ArcFunctions {
         return Double.isNaN(x) ? x : Math.copySign(HALF_PI + HALF_PI_TAIL, x);
     }
 
-    /** Reduces the argument by the nearest of four reference angles, whose tangents are 0.5, 1, 1.5 and infinity. */
+    /**
+     * Returns atan(x) as the sum of a small angle and the nearest of four reference angles, whose tangents are 0.5, 1, 1.5 and
+     * infinity.
+     */
     private static double atanAboveZero(double x) {
         if (x < 0.6875) {
             return atanBeside(0.4636476090008061, 2.2698777452961687e-17, (2.0 * x - 1) / (2.0 + x));
@@ -136,7 +139,7 @@ final class ArcFunctions {
         return x == 0 ? y != 0 : Double.isInfinite(y) && !Double.isInfinite(x);
     }
 
-    /** Returns the angle of a point in the first quadrant. */
+    /** Returns the angle between the x axis and a point in the first quadrant. */
     private static double angleFromAxis(double y, double x) {
         if (y == 0) {
             return 0;

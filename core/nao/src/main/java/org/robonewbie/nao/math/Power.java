@@ -16,7 +16,7 @@ final class Power {
     private static final double LN2_HEAD = 0.6931471824645996;
     private static final double LN2_TAIL = -1.904654299957768e-09;
 
-    /** 2 / (3 ln 2). */
+    /** 2 / (3 ln 2), which scales the series for log2(x). */
     private static final double FACTOR = 0.9617966939259756;
 
     private static final double FACTOR_HEAD = 0.9617967009544373;
@@ -34,7 +34,7 @@ final class Power {
 
     private static final double HOPELESS_EXPONENT = 0x1.00001p64;
 
-    /** Distance from the rounded logarithm 1024 to the overflow threshold. */
+    /** Difference between 1024 and the base-2 logarithm of the overflow threshold. */
     private static final double OVERFLOW_MARGIN = 8.008566259537294e-17;
 
     private Power() {}

@@ -5,7 +5,7 @@ import org.robonewbie.nao.Vector3;
 /**
  * A rigid body of the robot.
  *
- * @param name SimSpark's name of the body, such as {@code rthigh}; unique within the robot
+ * @param name SimSpark's name for the body, such as {@code rthigh}; unique within the robot
  * @param shape collision shape
  * @param massKg mass in kilograms
  * @param position centre of the body relative to the torso's centre in the construction pose, in SimSpark's frame: x right, y

@@ -11,13 +11,13 @@ import org.robonewbie.nao.Vector3;
 public enum RobotType {
     /** The standard robot. */
     TYPE_0(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0),
-    /** Longer legs and arms. */
+    /** Longer legs and arms than type 0. */
     TYPE_1(0.055, -0.05832, -0.07332, 6.1395, 6.1395, 0.10664, 0),
-    /** Faster ankle pitch, slower ankle roll. */
+    /** Faster ankle pitch and slower ankle roll than type 0. */
     TYPE_2(0.055, -0.04, -0.055, 8.80667, 3.47234, 0.07, 0),
-    /** Longest legs and arms, wider hips. */
+    /** The longest legs and arms, and wider hips than type 0. */
     TYPE_3(0.072954143, -0.067868424, -0.082868424, 6.1395, 6.1395, 0.125736848, 0),
-    /** Hinged toes. */
+    /** Like type 0, but with hinged toes. */
     TYPE_4(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0.035517656);
 
     private final double hipX;

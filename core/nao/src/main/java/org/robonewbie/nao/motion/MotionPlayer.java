@@ -98,8 +98,8 @@ public final class MotionPlayer {
     }
 
     /**
-     * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe,
-     * which depends on the robot's initial posture, every joint that the motion turns later counts.
+     * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe, every
+     * joint that the motion turns later counts, because that movement depends on the robot's initial posture.
      *
      * @param joint the joint
      * @return whether a command for the joint would conflict with the motion
@@ -180,7 +180,8 @@ public final class MotionPlayer {
      * Finds the joints and keyframes for which the motion exceeds the maximum speed of a motor.
      *
      * @param motors the motors, which determine the initial posture
-     * @param fromKeyframe index of the first keyframe to check; 1 if the robot may take longer to reach the first keyframe
+     * @param fromKeyframe zero-based index of the first keyframe to check; 1 to skip keyframe 0, which the robot may take
+     *     longer to reach
      * @return one sentence for each joint and keyframe that is too fast
      */
     public List<String> problems(Motors motors, int fromKeyframe) {

@@ -116,7 +116,7 @@ public final class StateReader {
         return index;
     }
 
-    /** {@return the next bytes} */
+    /** {@return the next byte array} */
     public byte[] getBytes() {
         int count = getInt();
         if (count < 0 || count > end - next) {

@@ -190,7 +190,7 @@ public record ConfusableCharacter(int number, int codePoint) {
         return at < 0 ? text(code) : LATIN.substring(at, at + 1);
     }
 
-    /** Removes the last letter and returns it with an accent; empty if there is no such letter. */
+    /** Removes the last letter and returns it with an accent; returns an empty string if there is no such accented letter. */
     private static String composed(StringBuilder letters, int mark) {
         int last = letters.length() - 1;
         String pairs = switch (mark) {

@@ -47,7 +47,7 @@ public final class FileName {
      * Returns whether a name is short and plain.
      *
      * @param name a name without folder and extension
-     * @param signs valid characters beside letters and digits
+     * @param signs valid characters besides letters and digits
      * @param maxCharacters maximum length
      * @return whether it begins with a letter or digit, contains only letters, digits and the given characters, and is
      *     {@linkplain #isPortable portable}

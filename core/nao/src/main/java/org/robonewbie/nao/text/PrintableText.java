@@ -1,8 +1,8 @@
 package org.robonewbie.nao.text;
 
 /**
- * Escapes untrusted text for a terminal or a log: on one line, without control characters that move the cursor, change colours
- * or reverse the writing direction.
+ * Escapes untrusted text for a terminal or a log, so that it stays on one line and cannot move the cursor, change colours or
+ * reverse the writing direction.
  */
 public final class PrintableText {
 

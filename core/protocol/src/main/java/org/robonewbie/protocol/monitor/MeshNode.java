@@ -93,7 +93,7 @@ public final class MeshNode implements SceneNode {
         return transparent;
     }
 
-    /** {@return the names of the materials in the order of the mesh file} */
+    /** {@return the names of the materials in the order in which the mesh file uses them} */
     public List<String> materials() {
         return materials;
     }

@@ -31,7 +31,7 @@ public final class MonitorMessageWriter {
      * Writes a full message for all monitors. Later partial messages are relative to it.
      *
      * @param state the state of the match
-     * @param fouls all fouls of the match in order; those already sent are omitted
+     * @param fouls all fouls of the match, oldest first; those already sent are omitted
      * @param nodes the scene
      * @return the message, valid until the next message is written
      */
@@ -54,7 +54,7 @@ public final class MonitorMessageWriter {
      * Writes a partial message with the changes since the last message.
      *
      * @param state the state of the match
-     * @param fouls all fouls of the match in order; those already sent are omitted
+     * @param fouls all fouls of the match, oldest first; those already sent are omitted
      * @param nodes the scene, with the same structure as in the last full message
      * @return the message, valid until the next message is written
      */

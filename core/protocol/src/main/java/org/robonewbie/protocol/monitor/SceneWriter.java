@@ -11,7 +11,7 @@ import org.robonewbie.protocol.sexp.SexpWriter;
  */
 final class SceneWriter {
 
-    /** Change of a matrix element above which a transform is sent again. */
+    /** Change in a matrix element above which a transform is sent again. */
     static final float THRESHOLD = 0.005f;
 
     private final SexpWriter out;

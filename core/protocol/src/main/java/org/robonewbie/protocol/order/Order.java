@@ -14,15 +14,15 @@ import org.robonewbie.nao.Vector3;
  * simulation.order(new Order.KickOff(TeamSide.LEFT));
  * }</pre>
  *
- * <p>Every SimSpark server supports the orders of type {@link Trainer}; the others are specific to this simulator. Positions are in
+ * <p>Every SimSpark server supports the commands of type {@link Trainer}; the others are specific to this simulator. Positions are in
  * metres in the world frame, with the origin at the centre spot and x towards the right goal.
  */
 public sealed interface Order {
 
-    /** An order of SimSpark's trainer protocol, which is sent to the monitor port. */
+    /** A command of SimSpark's trainer protocol, which is sent to the monitor port. */
     sealed interface Trainer extends Order {}
 
-    /** An order that controls the clock of the simulation. */
+    /** A command that controls the clock of the simulation. */
     sealed interface Clock extends Order {}
 
     /**
@@ -33,7 +33,7 @@ public sealed interface Order {
     record KickOff(Optional<TeamSide> side) implements Trainer {
 
         /**
-         * Creates a kick-off order for a team.
+         * Creates a kick-off command for a team.
          *
          * @param side the team that kicks off
          */
@@ -55,16 +55,16 @@ public sealed interface Order {
     /**
      * Moves the ball.
      *
-     * @param position new position of the ball's centre in metres; empty keeps the position
-     * @param velocity new velocity in metres per second; setting it also stops the spin; empty keeps velocity and spin
+     * @param position new position of the ball's centre in metres; empty to keep the position
+     * @param velocity new velocity in metres per second, which also stops the spin; empty to keep velocity and spin
      */
     record MoveBall(Optional<Vector3> position, Optional<Vector3> velocity) implements Trainer {
 
         /**
-         * Creates an order with both position and velocity.
+         * Creates a command with both position and velocity.
          *
          * @param position new position of the ball's centre in metres
-         * @param velocity new velocity in metres per second; setting it also stops the spin
+         * @param velocity new velocity in metres per second, which also stops the spin
          */
         public MoveBall(Vector3 position, Vector3 velocity) {
             this(Optional.of(position), Optional.of(velocity));
@@ -139,7 +139,7 @@ public sealed interface Order {
      */
     record SetScore(int left, int right) implements Trainer {}
 
-    /** Resets ball, robots and score to the start of the game. Agents stay connected. */
+    /** Resets ball, robots and score to their state at the start of the game. Agents stay connected. */
     record Reset() implements Order {}
 
     /**

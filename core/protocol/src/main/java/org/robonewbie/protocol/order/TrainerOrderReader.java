@@ -107,7 +107,7 @@ public final class TrainerOrderReader {
     }
 
     /**
-     * Creates an order for the robot that a command names, or for the selected robot if the number or the team is
+     * Creates the command for the robot that the expression names, or for the selected robot if the number or the team is
      * missing. Returns empty if the team is unknown.
      */
     private static Optional<Order.Trainer> readPlayer(

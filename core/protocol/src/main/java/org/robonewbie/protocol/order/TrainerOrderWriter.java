@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
-/** Formats orders as messages to a SimSpark server. A message may contain several orders. */
+/** Formats trainer commands as messages to a SimSpark server. A message may contain several commands. */
 public final class TrainerOrderWriter {
 
     private static final int DECIMALS = 6;
@@ -16,16 +16,16 @@ public final class TrainerOrderWriter {
     /**
      * Creates a writer.
      *
-     * @param message the buffer to which the orders are appended
+     * @param message the buffer to which the commands are appended
      */
     public TrainerOrderWriter(MessageBuffer message) {
         out = new SexpWriter(message);
     }
 
     /**
-     * Writes one order.
+     * Writes one command.
      *
-     * @param order the order
+     * @param order the command
      */
     public void write(Order.Trainer order) {
         if (order instanceof Order.KickOff kickOff) {

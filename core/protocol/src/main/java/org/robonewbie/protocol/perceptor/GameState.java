@@ -13,7 +13,7 @@ import org.robonewbie.nao.TeamSide;
  * @param leftScore goals of the left team; not sent by older servers
  * @param rightScore goals of the right team; not sent by older servers
  * @param playSeconds game time in seconds, which does not advance before the kick-off or after the game
- * @param playModeName SimSpark's name of the play mode; may be unknown if the server is newer
+ * @param playModeName SimSpark's name for the play mode, which may be unknown to this framework
  */
 public record GameState(
         OptionalInt number,

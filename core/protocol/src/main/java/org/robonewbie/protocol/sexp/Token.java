@@ -1,6 +1,6 @@
 package org.robonewbie.protocol.sexp;
 
-/** The kinds of tokens of a {@link SexpReader}. */
+/** The kinds of tokens that a {@link SexpReader} returns. */
 public enum Token {
     /** An opening parenthesis, which starts a list. */
     OPEN,

@@ -69,9 +69,9 @@ public final class MonitorLink implements AutoCloseable {
     }
 
     /**
-     * Sends orders in one message.
+     * Sends trainer commands in one message.
      *
-     * @param orders the orders, in the order of execution
+     * @param orders the commands, in the order of execution
      * @throws IOException if the connection is broken
      */
     public void send(Order.Trainer... orders) throws IOException {

@@ -5,7 +5,7 @@ import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * A placeholder connection for an agent in a saved state that is not currently connected. It answers each message but
+ * A placeholder connection for an agent that belongs to a saved state but is not connected. It answers each message but
  * never moves the robot.
  */
 final class AbsentLink implements ServerLink {

@@ -160,12 +160,12 @@ public final class AgentChannel implements Restorable {
         }
     }
 
-    /** {@return the number of messages answered before the next one was sent} */
+    /** {@return the number of messages that the agent answered before the next one was sent} */
     public long answeredMessages() {
         return Math.max(0, generatedMessages - unansweredMessages - 1);
     }
 
-    /** Returns the number of messages not answered before the next one was sent. */
+    /** Returns the number of messages that the agent did not answer before the next one was sent. */
     long unansweredMessages() {
         return unansweredMessages;
     }

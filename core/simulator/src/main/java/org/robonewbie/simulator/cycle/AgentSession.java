@@ -124,7 +124,7 @@ public final class AgentSession {
         cyclesInTeam = 0;
     }
 
-    /** Replaces the player by one with a new body but the same team and number. */
+    /** Replaces the player with one that has a new body but the same team and number. */
     void replacePlayer(Player newPlayer) {
         player = Optional.of(newPlayer);
     }

@@ -67,7 +67,7 @@ public final class SimulationCycle implements Restorable {
      * @param settings the world to simulate
      * @param recording receives the recording of the run
      * @param console output for messages to the user
-     * @param departures output for the reasons why agents leave, which viewers see anyway
+     * @param departures output for the reasons why agents leave
      */
     public SimulationCycle(WorldSettings settings, RecordingTarget recording, Console console, Console departures) {
         Random seeds = new Random(settings.seed());
@@ -121,7 +121,7 @@ public final class SimulationCycle implements Restorable {
      * Adds an agent.
      *
      * @param link its connection
-     * @param strict whether sync mode waits for it from its first message on
+     * @param strict whether sync mode waits for the agent from its first message on
      */
     public void connect(ServerLink link, boolean strict) {
         agents.add(new AgentSession(new AgentChannel(link, synchronous, strict, console)));
@@ -244,7 +244,7 @@ public final class SimulationCycle implements Restorable {
     /**
      * Continues from an earlier snapshot; robots that are no longer in the game are skipped.
      *
-     * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
+     * @param before a snapshot before {@code target}, used to derive velocities; {@code target} itself for a world at rest
      * @param target the snapshot to continue from
      */
     public void restore(WorldSnapshot before, WorldSnapshot target) {

@@ -29,7 +29,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * agent.receive(message);   // runs cycles until a message arrives
  * }</pre>
  *
- * <p>With several agents, each must send its answer before the first one waits for its next message. Not thread-safe.
+ * <p>With several agents, all must have sent their answers before one of them waits for its next message. Not thread-safe.
  */
 public final class SteppedSimulator implements AutoCloseable {
 
@@ -171,9 +171,9 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Executes an order before the next cycle.
+     * Executes a command before the next cycle.
      *
-     * @param order the order; clock orders are ignored
+     * @param order the command; clock commands are ignored
      */
     public void order(Order order) {
         trainer.execute(order);
@@ -224,7 +224,7 @@ public final class SteppedSimulator implements AutoCloseable {
     /**
      * Continues approximately from an earlier snapshot; robots that are no longer in the game are skipped.
      *
-     * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
+     * @param before a snapshot before {@code target}, used to derive velocities; {@code target} itself for a world at rest
      * @param target the snapshot to continue from
      */
     public void resumeFrom(WorldSnapshot before, WorldSnapshot target) {

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Executes trainer orders between two cycles. Orders for a missing robot have no effect, as in rcssserver3d (SimSpark: {@code
+ * Executes trainer commands between two cycles. Commands for a missing robot have no effect, as in rcssserver3d (SimSpark: {@code
  * trainercommandparser.cpp}).
  */
 public final class TrainerOrders {
@@ -42,9 +42,9 @@ public final class TrainerOrders {
     }
 
     /**
-     * Executes an order.
+     * Executes a command.
      *
-     * @param order the order; clock orders are ignored
+     * @param order the command; clock commands are ignored
      */
     public void execute(Order order) {
         if (order instanceof Order.EndSimulation) {

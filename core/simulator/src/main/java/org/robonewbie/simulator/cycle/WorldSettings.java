@@ -17,7 +17,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param synchronous whether each cycle waits for all agents; otherwise the simulation runs in real time
  * @param camera camera noise and ground truth in camera images
  * @param landscape objects on the pitch
- * @param seed seed of all random numbers
+ * @param seed seed for all random numbers
  */
 public record WorldSettings(
         SoccerParameters parameters, boolean synchronous, CameraSettings camera, Landscape landscape, long seed) {
@@ -97,7 +97,7 @@ public record WorldSettings(
     /**
      * Changes the seed.
      *
-     * @param value seed of all random numbers
+     * @param value seed for all random numbers
      * @return a changed copy
      */
     public WorldSettings withSeed(long value) {

@@ -11,7 +11,8 @@ import java.util.function.Supplier;
 public final class EnterKey {
 
     /**
-     * System property set by the launcher, which also ensures that a background process is not suspended when it reads.
+     * System property set by the launcher, which also ensures that a background process is not suspended when it reads from the
+     * terminal.
      */
     private static final String TERMINAL = "robonewbie.terminal";
 
@@ -41,7 +42,7 @@ public final class EnterKey {
     }
 
     /**
-     * Prints an address for each line until the input ends, or passes the line to the program if it has started reading.
+     * Prints an address for each line of input; once the program has started reading, passes the lines to it instead.
      */
     static void listen(InputStream keyboard, SharedInput program, Supplier<URI> addresses, PrintStream terminal) {
         byte[] line = new byte[MAX_LINE_BYTES];

@@ -52,7 +52,7 @@ final class LocalProgram implements HostProgram {
         console.say("The studio has taken over. Press Control-C to stop.");
     }
 
-    /** Waits until the simulation ends if a view has ended this program. */
+    /** If a view has ended this program, waits until the simulation ends. */
     void awaitReplacement() {
         try {
             if (isEnded) {

@@ -27,7 +27,7 @@ public final class RedirectPage {
     /** Name of the folder in the home directory. */
     static final String FOLDER = "robonewbie-browser";
 
-    /** Validity of an address. */
+    /** Time for which an address is valid. */
     private static final Duration LIFETIME = Duration.ofMinutes(10);
 
     private static final String PREFIX = "open-";

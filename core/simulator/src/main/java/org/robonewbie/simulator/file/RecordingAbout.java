@@ -115,7 +115,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     }
 
     /**
-     * Adds a bookmark, replacing any at the same time.
+     * Adds a bookmark, replacing an existing one with the same time.
      *
      * @param seconds time since the start of the recording
      * @param note the user's note, truncated to 300 characters

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Builds JSON without reflection, which the web edition lacks. Values are texts, numbers, truth values, JSON elements, and collections of
- * values and maps from texts to values.
+ * Builds JSON without reflection, which the web edition lacks. Values are strings, numbers, booleans, JSON elements,
+ * collections of values, and maps from strings to values.
  *
  * <pre>{@code
  * Json.object("name", "Corner", "score", List.of(1, 0)) // {"name":"Corner","score":[1,0]}
@@ -23,7 +23,7 @@ public final class Json {
     /**
      * Creates an object.
      *
-     * @param members names and values by turns
+     * @param members alternating names and values
      * @return the object
      * @throws ClassCastException if a value cannot be converted
      */

@@ -51,7 +51,7 @@ final class MonitorConnection {
         return !encoder.isPending();
     }
 
-    /** Reads the orders that have arrived. */
+    /** Reads the trainer commands that have arrived. */
     List<Order> receive() {
         List<Order> commands = new ArrayList<>();
         try {

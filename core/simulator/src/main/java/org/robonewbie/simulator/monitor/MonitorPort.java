@@ -74,7 +74,7 @@ public final class MonitorPort implements AutoCloseable {
      *
      * @param settings the configuration
      * @param console output for messages to the user
-     * @param trainer receives the orders from monitors on the port's thread; must not block
+     * @param trainer receives the commands from monitors on the port's thread; must not block
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -235,7 +235,7 @@ public final class MonitorPort implements AutoCloseable {
         notifyAll();
     }
 
-    /** Reports a problem, but each one only once. */
+    /** Reports a problem unless the same one has been reported before. */
     private void warn(String sentence) {
         if (warnings.size() < MAX_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);

@@ -25,7 +25,7 @@ public record MonitoredRobotState(
     static final int TRANSFORM_SIZE = 16;
 
     /**
-     * Takes the state of a robot.
+     * Takes a snapshot of a robot.
      *
      * @param id id of the robot
      * @param robot the robot

@@ -7,8 +7,8 @@ import org.robonewbie.nao.Vector3;
  *
  * @param anchor a point on the axis in the world frame, metres
  * @param axis direction of the axis in the world frame, unit length
- * @param minRadians lower stop
- * @param maxRadians upper stop
+ * @param minRadians angle of the lower stop in radians
+ * @param maxRadians angle of the upper stop in radians
  * @param maxTorque maximum motor torque in newton metres
  * @param stopBounce coefficient of restitution of the stops
  */

@@ -97,10 +97,10 @@ public interface RigidBody {
     void addTorque(Vector3 newtonMetres);
 
     /**
-     * Adds linear damping for the next step.
+     * Adds damping forces for the next step.
      *
-     * @param linear newtons per metre per second
-     * @param angular newton metres per radian per second
+     * @param linear damping of the velocity, in newtons per metre per second
+     * @param angular damping of the angular velocity, in newton metres per radian per second
      */
     void addDamping(double linear, double angular);
 

@@ -75,11 +75,11 @@ public final class RecordingState {
     }
 
     /**
-     * Reads the next bytes of the uncompressed recording.
+     * Parses the next chunk of the uncompressed recording.
      *
-     * @param bytes an array that contains the bytes at its start
-     * @param count number of bytes
-     * @throws IllegalArgumentException if they are not a recording of this version or are damaged
+     * @param bytes array that starts with the chunk
+     * @param count length of the chunk in bytes
+     * @throws IllegalArgumentException if the data is damaged or is not a recording of this version
      */
     public void push(byte[] bytes, int count) {
         byte[] all = Arrays.copyOf(rest, rest.length + count);

@@ -20,10 +20,10 @@ public interface RecordingTarget {
     };
 
     /**
-     * Writes bytes.
+     * Writes the next bytes of the recording.
      *
-     * @param bytes an array that contains the bytes at its start; reused by the caller
-     * @param length number of bytes
+     * @param bytes array that starts with the bytes to write; reused by the caller
+     * @param length number of bytes to write
      */
     void write(byte[] bytes, int length);
 

@@ -93,7 +93,7 @@ public final class RecordingWriter implements AutoCloseable {
         }
     }
 
-    /** {@return the SHA-256 of the uncompressed recording so far, in 64 hexadecimal digits} */
+    /** {@return the SHA-256 hash of the uncompressed recording so far, in 64 hexadecimal digits} */
     public String sha256() {
         return sink.sha256();
     }

@@ -10,8 +10,8 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * Ground-truth results for one robot: falls and walked distance.
  *
- * <p>A robot stands while its torso tilts by less than 30 degrees and its centre is more than 0.25 m above the ground. A fall is
- * counted when, after standing, the torso tilts by more than 60 degrees or sinks below 0.2 m.
+ * <p>A robot stands while its torso tilts by less than 30 degrees and its centre is more than 0.25 m above the ground. A fall
+ * is counted when the torso of a robot that has stood since its last fall tilts by more than 60 degrees or sinks below 0.2 m.
  *
  * <p>The walked distance is the path of the upright torso over the ground, low-pass filtered with a time constant of 0.5 s and
  * measured in segments of 0.1 m, so that swaying on the spot does not count. Beams and moves by the referee do not count either.

@@ -15,7 +15,7 @@ import org.robonewbie.simulator.json.Json;
 /**
  * The ground-truth results of a run.
  *
- * @param seed seed of all random numbers
+ * @param seed seed for all random numbers
  * @param simulatedSeconds simulated duration
  * @param wallSeconds real duration
  * @param missedCycles number of 20 ms cycles by which the run fell behind real time; 0 in sync mode
@@ -47,7 +47,7 @@ public record RunReport(
      *
      * @param team name of its team
      * @param number uniform number, 0 if it has no team
-     * @param falls number of falls: after standing, the torso tilted by more than 60 degrees or sank below 0.2 m
+     * @param falls number of times that the robot stood and its torso then tilted by more than 60 degrees or sank below 0.2 m
      * @param metresWalked walked distance, excluding swaying and beams
      * @param position final position of the torso's centre in the world frame, metres
      * @param headingDegrees final heading, 0 along x towards the right goal, counter-clockwise

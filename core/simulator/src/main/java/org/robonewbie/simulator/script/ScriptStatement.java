@@ -12,7 +12,7 @@ import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Interpreter of one statement; a setting takes effect only if Ruby always executes it. */
+/** Interpreter of one statement; a setting takes effect only if Ruby always executes the statement. */
 final class ScriptStatement {
 
     private static final int LAST_PORT = 65535;

@@ -96,7 +96,7 @@ final class SettingAdvice {
                 : "there is no parameter " + name + "." + SoccerParameter.question(name);
     }
 
-    /** Returns an example of the supported notation of a setting. */
+    /** Returns an example of the supported notation for a setting. */
     static String example(List<RubyToken> tokens) {
         RubyToken first = tokens.get(0);
         if (first.kind() == Kind.GLOBAL) {
@@ -108,7 +108,7 @@ final class SettingAdvice {
         return first.isWord("run") ? "run \"FILE\"" : "addSoccerVar('NAME', VALUE) on a separate line";
     }
 
-    /** Returns an abbreviated token for messages. */
+    /** Returns a token in abbreviated form, for messages. */
     static String quoted(RubyToken token) {
         return token.kind() == Kind.STRING
                 ? "'" + token.text() + "'"

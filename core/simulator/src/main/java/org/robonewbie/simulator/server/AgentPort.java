@@ -118,7 +118,7 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    /** Makes a waiting {@link #listen} return. Thread-safe. */
+    /** Makes a call to {@link #listen} that is waiting return. Thread-safe. */
     void wakeUp() {
         selector.wakeup();
     }

@@ -26,7 +26,7 @@ import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Feeds the monitor port and the monitor log, and executes orders from trainers. */
+/** Feeds the monitor port and the monitor log, and executes commands from trainers. */
 final class MonitorService {
 
     private static final int MAX_QUEUED_ORDERS = 1000;
@@ -86,12 +86,12 @@ final class MonitorService {
         log.ifPresent(MonitorLog::close);
     }
 
-    /** Executes an order on the simulation thread. */
+    /** Executes a command on the simulation thread. */
     void execute(Order order) {
         orders.execute(order);
     }
 
-    /** Refuses all orders from a view-only monitor except a request for the full state. */
+    /** Refuses all commands from a view-only monitor except a request for the full state. */
     private void orderOfSpectator(Order order) {
         if (order instanceof Order.RequestFullState) {
             order(order);
@@ -103,7 +103,7 @@ final class MonitorService {
         }
     }
 
-    /** Queues an order from any thread; excess orders are dropped. */
+    /** Queues a command; excess commands are dropped. Thread-safe. */
     private void order(Order order) {
         if (queuedOrders.incrementAndGet() > MAX_QUEUED_ORDERS) {
             queuedOrders.decrementAndGet();

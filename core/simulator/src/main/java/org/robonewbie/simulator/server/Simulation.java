@@ -226,7 +226,7 @@ final class Simulation implements SimulationControl, Runnable {
         return (awaited == 0 || speakingAgents() >= awaited) && isAnswered();
     }
 
-    /** Counts the agents that have sent a message; surplus agents of a team endpoint do not count. */
+    /** Counts the agents that have sent a message; those beyond the limit of a team endpoint do not count. */
     private long speakingAgents() {
         long count = cycle.speakingAgents(Optional.empty());
         for (TeamEndpoint endpoint : settings.agents().endpoints()) {

@@ -44,7 +44,7 @@ public record SimulatorSettings(
      * @param bindAddress local address to listen on, such as 127.0.0.1 for this computer only or 0.0.0.0 for all
      *     interfaces
      * @param port TCP port for agents, 0 for any free port; ignored if there are team endpoints
-     * @param endpoints an endpoint for each team, or empty for one port for all agents
+     * @param endpoints an endpoint for each team; empty for a single port for all agents
      * @param awaited number of agents that must have sent a message before the first cycle
      * @param silentSeconds real seconds after which an agent in another process is disconnected if it blocks sync mode
      */

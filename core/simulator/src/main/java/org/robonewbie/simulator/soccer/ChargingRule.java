@@ -83,8 +83,8 @@ final class ChargingRule implements FoulRule {
     }
 
     /**
-     * Returns whether a robot may be guilty: it approached the opponent rather than the ball, or would have reached the
-     * ball later, or both robots were far from the ball.
+     * Returns whether a robot may be guilty: it approached the opponent rather than the ball, or would have reached the ball
+     * later than the opponent, or both robots were far from the ball.
      */
     private boolean isCandidate(Approach robot, Approach other) {
         double range = parameters.get(SoccerParameter.CHARGING_MAX_BALL_RULES_DISTANCE);
@@ -129,7 +129,7 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** Returns whether a player is on the right team in keep-away; that team is never punished for charging. */
+    /** Returns whether keep-away is played and the player belongs to the right team, which is never punished for charging. */
     private boolean isKeepawayHunter(Player player) {
         return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }

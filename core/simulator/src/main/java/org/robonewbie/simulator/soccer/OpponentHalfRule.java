@@ -5,7 +5,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
-/** Keeps robots in their own half around a kick-off, unless they may start anywhere. */
+/** Keeps robots in their own halves before and during a kick-off, unless they may start anywhere. */
 final class OpponentHalfRule {
 
     private static final double RUN_OFF = 10;

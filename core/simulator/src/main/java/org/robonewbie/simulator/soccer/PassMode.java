@@ -54,7 +54,7 @@ final class PassMode implements Memory {
         lockedUntil = FoulHistory.NEVER;
     }
 
-    /** Allows the team to score once two of its players have touched the ball and it has left its start position. */
+    /** Allows the team to score once the ball has been touched by two of its players and has left its start position. */
     void update() {
         if (!isLocked()) {
             return;

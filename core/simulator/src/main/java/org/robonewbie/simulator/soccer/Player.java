@@ -66,7 +66,7 @@ public final class Player {
         return number == 1;
     }
 
-    /** Returns whether the robot's bounding box is within a distance of a point, in metres. */
+    /** Returns whether the robot's bounding box is within the given distance, in metres, of a point. */
     boolean isWithin(double distance, Vector3 point) {
         BoundingBox box = robot().boundingBox();
         double x = gap(point.x(), box.min().x(), box.max().x());

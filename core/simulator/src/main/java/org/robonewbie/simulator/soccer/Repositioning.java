@@ -46,7 +46,7 @@ final class Repositioning {
         }
     }
 
-    /** Moves the robots of a team radially away from a point. */
+    /** Moves the robots of a team that are too close to a point radially away from it. */
     void pushAway(TeamSide side, Vector3 centre, double within, double distance) {
         for (Player player : match.players(side)) {
             Vector3 position = player.position();

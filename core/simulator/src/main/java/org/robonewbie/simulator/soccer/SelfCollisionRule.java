@@ -92,7 +92,7 @@ final class SelfCollisionRule implements FoulRule {
         return firstFrozen || secondFrozen;
     }
 
-    /** Freezes all hinges of a link's limb; the torso has none. */
+    /** Freezes all hinges of the limb to which a link belongs; the torso belongs to no limb. */
     private boolean freeze(Player player, int link) {
         NaoModel model = player.robot().model();
         String limb = limb(model.links().get(link).name());

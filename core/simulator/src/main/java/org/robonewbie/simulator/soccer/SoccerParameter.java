@@ -34,9 +34,9 @@ public enum SoccerParameter {
             2,
             1.3,
             "metres that opponents must keep from a set piece; radius of the centre circle"),
-    /** Distance to which opponents are moved at a set piece. */
+    /** Distance from a set piece to which opponents are moved. */
     FREE_KICK_MOVE_DISTANCE("FreeKickMoveDist", 2.5, 1.5, "metres from a set piece to which opponents are moved"),
-    /** Distance to which the kicking team is moved when the ball is placed. */
+    /** Distance from the ball to which the kicking team is moved when the ball is placed. */
     KICK_REPEL_DISTANCE(
             "KickRepelDist", 0.5, 0.5, "metres by which the kicking team is moved away when the ball is placed"),
     /** Distance of the goal kick from the goal line. */

@@ -7,7 +7,7 @@ import org.robonewbie.nao.state.StateWriter;
 
 /**
  * Restorable equivalent of {@link java.util.SplittableRandom}: the same seed produces the same sequence of {@code long}
- * and {@code double} values. Values of other types differ.
+ * and {@code double} values. Values of other types differ from the JDK's.
  *
  * <p>Source: SplitMix64 in Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014).
  */

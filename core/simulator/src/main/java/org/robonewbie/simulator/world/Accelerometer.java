@@ -8,7 +8,7 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /**
- * Accelerometer that computes the proper acceleration from the change of velocity in one step (SimSpark: {@code
+ * Accelerometer that computes the proper acceleration from the change in velocity in one step (SimSpark: {@code
  * accelerometer.cpp}).
  */
 final class Accelerometer implements Restorable {

@@ -174,8 +174,8 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Restores a saved state. Robots at the start of the list remain the same objects for as long as their types match
-     * those in the state; the rest are removed, and missing ones are added.
+     * Restores a saved state. The robots before the first one whose type differs from that in the state remain the same
+     * objects; the rest are removed, and missing ones are added.
      *
      * @param state the state of a world with the same settings
      * @throws IllegalArgumentException if the settings differ; the message describes the difference

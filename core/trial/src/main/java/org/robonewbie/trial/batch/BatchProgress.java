@@ -66,7 +66,7 @@ public final class BatchProgress implements AutoCloseable {
      * @return the progress display
      */
     @SuppressWarnings(
-            "SystemConsoleNull") // never null in Java 22 to 24, so there the line is updated in place even in a log
+            "SystemConsoleNull") // System.console() is never null in Java 22 to 24: a log is updated in place too
     public static BatchProgress of(String unit, int total, int known) {
         return new BatchProgress(unit, total, known, System.console() != null, System.err, System::nanoTime);
     }

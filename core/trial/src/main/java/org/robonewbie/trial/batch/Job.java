@@ -3,7 +3,7 @@ package org.robonewbie.trial.batch;
 import java.io.Serializable;
 
 /**
- * The work of a batch, such as a trial with one seed. The result depends on nothing but the parameters. Serializable, because a
+ * The work of a batch, such as a trial with one seed. The result must depend only on the parameters. Serializable, because a
  * runner may send it to another computer.
  *
  * @param <P> the parameters of one job, including its seed

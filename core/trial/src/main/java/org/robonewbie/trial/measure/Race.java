@@ -3,9 +3,9 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The time in seconds that the robot takes to reach a line across the pitch, plus a penalty of 10 s for each metre
- * short of the line. Distance counts only while the robot is upright. The line lies towards the right goal, regardless
- * of the robot's initial heading.
+ * The time in seconds that the robot takes to reach a line across the pitch, plus a penalty of 10 s for each metre by which it
+ * falls short of the line. Distance counts only while the robot is upright. The line lies towards the right goal, regardless of
+ * the robot's initial heading.
  */
 public final class Race extends MeasureFromStart {
 

@@ -47,7 +47,7 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
         return ownSeeds.getOrDefault(team, seed);
     }
 
-    /** Derives a seed for one of several trials. */
+    /** Derives the seed of a trial from the numbers that identify it. */
     long seedOf(int... numbers) {
         long mixed = seed;
         for (int number : numbers) {

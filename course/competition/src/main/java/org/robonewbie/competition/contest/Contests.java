@@ -59,7 +59,7 @@ public final class Contests {
     }
 
     /**
-     * Creates a penalty shoot-out.
+     * Creates a contest of penalty shoot-outs.
      *
      * @param conditions seeds
      * @param rounds number of regular rounds

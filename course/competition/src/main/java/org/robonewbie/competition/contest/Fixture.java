@@ -31,7 +31,9 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
         }
     }
 
-    /** Returns the pairs of a single round robin, in the order of the list of teams. */
+    /**
+     * Returns the pairs of a single round robin: the first team with each later team, then the second one, and so on.
+     */
     static List<Pair> pairs(List<String> teams) {
         List<Pair> pairs = new ArrayList<>();
         IntStream.range(0, teams.size())

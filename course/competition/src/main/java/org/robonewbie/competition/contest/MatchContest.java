@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Round-robin contest of matches. A team whose program fails forfeits the match: the result is 0–3, or the actual goal
- * difference if its deficit is larger. If both programs fail, neither team gets points.
+ * Round-robin contest of matches. A team whose program fails forfeits the match: it loses 0–3, or by more if it trailed by
+ * more than three goals. If both programs fail, neither team gets points.
  *
  * @param kind pitch, rules and number of fixtures per pair of teams
  * @param players robots per team, 1 to 11

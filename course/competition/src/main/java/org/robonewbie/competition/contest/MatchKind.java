@@ -13,9 +13,7 @@ public enum MatchKind {
     /** Full teams on the league's pitch under the league's rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
-    /**
-     * Time in seconds by which the referee's half exceeds the match, so that the contest, not the referee, ends the match.
-     */
+    /** Seconds by which the simulated half is longer than the match, so that the contest, not the referee, ends the match. */
     private static final double SPARE_SECONDS = 60;
 
     private static final double MAX_PLAYERS = 11;

@@ -14,7 +14,7 @@ record ShootOut(int rounds, int suddenDeathRounds) {
     /** Goals of both teams in one round, each 0 or 1. */
     record Round(int home, int away) {}
 
-    /** Returns the number of rounds needed, given the rounds played. */
+    /** Returns the minimum total number of rounds, given the rounds played so far. */
     int roundsNeeded(List<Round> played) {
         if (played.size() < rounds || !isEqual(played) || played.size() >= rounds + suddenDeathRounds) {
             return Math.max(rounds, played.size());

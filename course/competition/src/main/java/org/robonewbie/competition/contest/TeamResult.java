@@ -85,7 +85,10 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return team + ": " + (isPlayed() && !measured.isEmpty() ? measured : endingInWords());
     }
 
-    /** Formats a value with the unit that ends its name: 3 for {@code wayMetres} becomes {@code way 3 m}. */
+    /**
+     * Formats a value with its unit, which is the last word of its name: {@code wayMetres} with value 3 becomes
+     * {@code way 3 m}.
+     */
     private static String inWords(String name, double value) {
         String number = BigDecimal.valueOf(value)
                 .setScale(2, RoundingMode.HALF_UP)

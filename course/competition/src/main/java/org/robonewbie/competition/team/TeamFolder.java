@@ -14,7 +14,7 @@ public final class TeamFolder {
     private TeamFolder() {}
 
     /**
-     * Returns the submission of a team.
+     * Returns a team's submission.
      *
      * @param folder the folder, or a single file
      * @param foreign folders to ignore, even inside {@code folder}: the results of the contest, other teams

@@ -205,7 +205,9 @@ public sealed interface TeamProgram {
             return files().stream().map(file -> besides(file, hidden)).toList();
         }
 
-        /** Returns the folder of a script, or the script alone if the folder contains other teams or is the user's home. */
+        /**
+         * Returns the folder of a script, or only the script if its folder contains other teams or is the user's home.
+         */
         private static Path besides(Path file, Collection<Path> hidden) {
             Path folder = Objects.requireNonNullElse(file.getParent(), file);
             boolean foreign = hidden.stream().anyMatch(other -> other.startsWith(folder))

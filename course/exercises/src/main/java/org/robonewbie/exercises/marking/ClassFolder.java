@@ -23,9 +23,9 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * The submissions of all students in a course: a folder for each student, files named after the student and the Java class,
- * such as {@code anna_Kick.java}, files that students of the web edition send, and text files with links from there. The name
- * of the Java class determines the exercise.
+ * The submissions of all students in a course: a folder for each student, files named after the student and the Java
+ * class, such as {@code anna_Kick.java}, files that students of the web edition send, and text files with links that
+ * they send. The name of the Java class determines the exercise.
  */
 final class ClassFolder {
 
@@ -231,7 +231,7 @@ final class ClassFolder {
         note(student, sentence);
     }
 
-    /** Reports why a submission of a student, or a file, could not be graded. */
+    /** Records why a student's submission, or a file, cannot be graded. */
     private void note(String name, String sentence) {
         troubles.merge(name, sentence, (first, second) -> first + " " + second);
     }

@@ -26,11 +26,11 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Grades the programs of all students in a course in parallel, writes a table of grades and checks for plagiarism. Grades are
- * stored: running the command again resumes an interrupted run and grades only programs that have changed.
+ * Grades the programs of all students in a course in parallel, writes a table of grades and checks for plagiarism.
+ * Grades are stored: running the command again resumes an interrupted run and grades only programs that have changed.
  *
- * @param sources folders that contain a subfolder for each student, files such as {@code anna_Kick.java}, or files and links
- *     that students of the web edition have sent; or such files
+ * @param sources submissions, or folders of submissions: a subfolder for each student, files such as {@code
+ *     anna_Kick.java}, or files and links that students of the web edition have sent
  * @param exercises the exercises to grade
  * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades

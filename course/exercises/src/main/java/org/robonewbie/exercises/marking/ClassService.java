@@ -79,7 +79,8 @@ public final class ClassService {
      * Writes the table and checks for plagiarism.
      *
      * @param request that of {@link #programs}, with {@code "seeds"} and {@code "marks": [{"student": …, "exercise": …,
-     *     "judged": […] or "reason": …}]}; the judged trials are those of an attempt in {@code CourseService}
+     *     "judged": […] or "reason": …}]}; {@code judged} contains trials in the format that {@code CourseService} uses for
+     *     an attempt
      * @return the files of the table by name, and a summary as {@code "sentence"}
      */
     static String table(String request) {

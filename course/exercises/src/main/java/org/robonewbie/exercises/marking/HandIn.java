@@ -124,7 +124,7 @@ public record HandIn(String student, int seeds, List<String> exercises, Map<Stri
                 .toString();
     }
 
-    /** Returns the exercises for which it contains a program. */
+    /** Returns the exercises for which this submission contains a program. */
     List<Exercise> solved() {
         return Exercises.all().stream()
                 .filter(exercise -> files.containsKey(exercise.fileName()))

@@ -10,8 +10,8 @@ import java.util.stream.Collectors;
 import org.robonewbie.exercises.Exercises;
 
 /**
- * Submissions that a teacher has received as links and files. A damaged submission, an unknown exercise and a name that occurs
- * twice are reported; the others count.
+ * Submissions that a teacher has received as links and files. Damaged submissions, unknown exercises and names that
+ * occur twice are reported; all other submissions count.
  */
 final class ReceivedWork {
 
@@ -42,19 +42,22 @@ final class ReceivedWork {
         troubles.merge(source, reason, (first, second) -> first.equals(second) ? first : first + " " + second);
     }
 
-    /** Returns the student of each added submission in the order of addition; empty if it could not be read. */
+    /**
+     * Returns the student of each submission, in the order in which they were added; an empty name if it could not be
+     * read.
+     */
     List<String> senders() {
         return List.copyOf(senders);
     }
 
-    /** Returns all students in the order of names, including those whose submissions do not count. */
+    /** Returns all students, sorted by name, including those whose submissions do not count. */
     List<String> students() {
         return received.values().stream()
                 .map(sameName -> sameName.get(0).work().student())
                 .toList();
     }
 
-    /** Returns the accepted submissions in the order of names. Call after all have been added. */
+    /** Returns the accepted submissions, sorted by name. Call after all have been added. */
     List<HandIn> accepted() {
         return received.values().stream()
                 .filter(sameName -> sameName.size() == 1)

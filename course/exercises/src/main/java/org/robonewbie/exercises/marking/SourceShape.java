@@ -20,7 +20,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
     /** Number of tokens in an n-gram: shorter ones occur in every program, longer ones break at every change. */
     private static final int LENGTH = 9;
 
-    /** Groups of {@link #WORD}; the web edition has no named ones. */
+    /** Groups of {@link #WORD}; the web edition does not support named groups. */
     private static final int COMMENT = 1;
 
     private static final int TEXT = 2;
@@ -34,8 +34,8 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
     /**
-     * Words that are neither names nor types; like a class name, {@code int} may precede a declared name as its type. The class
-     * {@code javax.lang.model.SourceVersion} is missing in the web edition.
+     * Keywords and literals, without primitive types such as {@code int}: like class names, these may precede a declared
+     * name. The class {@code javax.lang.model.SourceVersion}, which lists keywords, is missing in the web edition.
      */
     private static final Set<String> KEYWORDS = Set.of(
             ("abstract assert break case catch class const continue default do else enum extends final finally for goto if"

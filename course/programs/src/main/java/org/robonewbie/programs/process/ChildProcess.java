@@ -124,8 +124,8 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Signals that the program and the simulated world swap roles: the one that was waiting computes, and the other one
-     * waits. At first, the world waits for the program to connect its robot.
+     * Passes the turn from the program to the simulated world or back; each computes in its turn and waits during the
+     * other's. The program has the first turn, in which it connects its robot.
      */
     public void passTurn() {
         turns.next();
@@ -137,8 +137,8 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * {@return how long the world has been waiting for the program, in seconds that the program has spent computing or
-     * sleeping; 0 while the program waits for the world}
+     * {@return the time in seconds that the program has spent computing or sleeping in its current turn, while the
+     * world waits; 0 during the world's turn}
      */
     public double waitedSeconds() {
         return turns.waitedSeconds();

@@ -31,7 +31,7 @@ public record Limits(
     /** Memory in megabytes that a JVM needs in addition to the heap, including shared pages. */
     private static final int BESIDE_MEGABYTES = 512;
 
-    /** Returns the limit on the resident memory of all processes. */
+    /** Returns the limit on the total resident memory of all processes. */
     long residentBytes() {
         return (memoryMegabytes + BESIDE_MEGABYTES) * 1_000_000L;
     }

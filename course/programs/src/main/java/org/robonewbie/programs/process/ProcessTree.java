@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * The process of an untrusted program and all of its descendants. On Linux, daemons are found by a mark in their
+ * The process of an untrusted program and all of its descendants. On Linux, daemons are found by a variable in their
  * environment or by their working directory.
  */
 public final class ProcessTree implements AutoCloseable {
@@ -47,7 +47,7 @@ public final class ProcessTree implements AutoCloseable {
         return new ProcessTree(builder.start(), workFolder, mark);
     }
 
-    /** {@return the first process} */
+    /** {@return the process that was started, the root of the tree} */
     public Process process() {
         return process;
     }

@@ -23,7 +23,7 @@ import org.robonewbie.programs.StudentsAgents;
 /** Main class of child processes. Prepares the environment and performs the task that the first argument selects. */
 public final class ProgramMain {
 
-    /** Task that runs a class. Further arguments: its name and its arguments. */
+    /** Task that runs a class. Further arguments: the name of the class and the arguments of its main method. */
     public static final String CLASS = "class";
 
     /** Task that runs a command. Further arguments: the command. */

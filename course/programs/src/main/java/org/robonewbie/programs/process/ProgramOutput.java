@@ -157,7 +157,7 @@ public final class ProgramOutput {
         return List.copyOf(first);
     }
 
-    /** {@return the end of the output} */
+    /** {@return the last part of the output} */
     public synchronized String end() {
         return end + (isAnswer ? "" : decoded(line.toByteArray()));
     }

@@ -157,7 +157,7 @@ public final class RobotProcess implements AutoCloseable {
         return process.output().lines();
     }
 
-    /** {@return the end of the output of the process} */
+    /** {@return the last part of the output} */
     public String output() {
         return process.output().end();
     }

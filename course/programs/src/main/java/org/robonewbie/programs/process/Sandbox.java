@@ -205,7 +205,7 @@ public final class Sandbox {
         return words;
     }
 
-    /** {@return whether a file belongs to the system folders that each program can read} */
+    /** {@return whether a file is in one of the system folders, which all programs can read} */
     public static boolean isOfTheSystem(Path file) {
         return SYSTEM.stream().anyMatch(file::startsWith);
     }

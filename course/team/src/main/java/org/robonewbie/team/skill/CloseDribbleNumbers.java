@@ -81,7 +81,7 @@ public record CloseDribbleNumbers(
         return Math.sqrt(touch * touch + 2 * braking * gap);
     }
 
-    /** Returns the time in seconds for a lateral correction, given the distance and the speed of the robot. */
+    /** Returns the time in seconds for a lateral correction, given the distance to the ball and the speed of the robot. */
     double seconds(double ahead, double speed) {
         return Math.max(leastSeconds, (ahead - behindMetres) / speed);
     }

@@ -5,11 +5,11 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * A kick: a keyframe motion that begins in a standing posture with the ball in front of a foot. So the robot walks to the
- * ball and stops; if the ball is then within reach it kicks, otherwise it walks on. With an opponent near, larger
- * deviations are accepted, except in the distance ahead: a ball that already touches the foot rolls only two metres, and a
- * ball that is too far ahead rolls only one metre. The last step before the stop moves the robot back a little, so it stops
- * only where the ball will still be within reach.
+ * A kick: a keyframe motion that begins in a standing posture with the ball in front of a foot. So the robot walks to
+ * the ball and stops; if the ball is then within reach it kicks, otherwise it walks on. With an opponent near, larger
+ * deviations are accepted, except in the forward direction: a ball that already touches the foot rolls only two metres,
+ * and a ball that is too far from it rolls only one metre. The last step before the stop moves the robot back a little,
+ * so it stops only where the ball will still be within reach.
  */
 public final class Kick {
 
@@ -116,7 +116,7 @@ public final class Kick {
                 && Math.abs(turn) < factor * factor * kind.turned();
     }
 
-    /** Returns by how many metres the ball is ahead of its required position. */
+    /** Returns by how many metres the ball is farther ahead of the robot than required. */
     private double beyond(Translation2d ball) {
         return ball.x() - requiredBall(ball).x();
     }

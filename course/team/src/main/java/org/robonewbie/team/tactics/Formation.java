@@ -51,7 +51,7 @@ public final class Formation {
     }
 
     /**
-     * Returns the position of a role.
+     * Returns the position for a role.
      *
      * @param role the role
      * @param ball position of the ball

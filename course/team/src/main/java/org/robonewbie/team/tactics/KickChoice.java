@@ -153,7 +153,10 @@ public final class KickChoice {
         return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
     }
 
-    /** Returns the probability that no opponent interferes in the meantime; in pass mode the referee keeps opponents away. */
+    /**
+     * Returns the probability that no opponent interferes within the given time; in pass mode the referee keeps opponents
+     * away.
+     */
     private double undisturbed(double seconds) {
         if (world.situation() == Situation.OUR_PASS) {
             return 1;
@@ -241,7 +244,7 @@ public final class KickChoice {
         return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 
-    /** Returns the probability of being first, as a logistic function of the lead. */
+    /** Converts a lead, relative to its uncertainty, to a probability of success (logistic function). */
     private static double probability(double lead) {
         return 1 / (1 + PortableMath.exp(-lead));
     }

@@ -5,8 +5,8 @@ import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Kick-off positions by player number. Players with low numbers, starting with 2, get the positions closest to the ball, so
- * that small teams attack too. All positions are in the team's own half, and outside the centre circle except for the
- * kicker and the player that plays the ball next.
+ * that small teams attack too. All positions are in the team's own half. Only the kicker and the player that plays the ball
+ * next may be inside the centre circle.
  */
 public final class KickOffPositions {
 

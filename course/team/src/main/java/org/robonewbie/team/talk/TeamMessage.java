@@ -47,7 +47,7 @@ public record TeamMessage(
         int receiver,
         Translation2d passTarget) {
 
-    /** Maximum age of a ball sighting that a message can express; it also stands for anything older. */
+    /** Maximum age of a ball sighting in a message, in seconds; older sightings are sent with this age. */
     public static final double MAX_AGE_SECONDS = 6.2;
 
     private static final double MAX_METRES = 20.5;

@@ -47,7 +47,7 @@ final class BallTracker {
         }
     }
 
-    /** Clears the estimate; for use after the robot has been placed elsewhere. */
+    /** Clears the estimate. Call after the robot has been placed elsewhere. */
     void reset() {
         filter.reset();
         seenSeconds = Double.NEGATIVE_INFINITY;

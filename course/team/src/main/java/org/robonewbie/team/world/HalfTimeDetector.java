@@ -21,7 +21,7 @@ final class HalfTimeDetector {
         beamedSeconds = seconds;
     }
 
-    /** Compares the target of the beam with the pose estimated from landmarks. */
+    /** Compares the pose to which the robot has beamed with the pose estimated from landmarks. */
     void look(Pose2d seen, double seconds) {
         boolean waited = seconds - beamedSeconds > CERTAIN_SECONDS;
         if (waited && seconds - beamedSeconds < 2 && isAt(seen, turned(beamedTo))) {

@@ -44,7 +44,7 @@ public enum Situation {
         };
     }
 
-    /** {@return whether both teams may play the ball, including pass mode} */
+    /** {@return whether both teams may play the ball, which includes pass mode} */
     public boolean isOpen() {
         return this == OPEN_PLAY || this == OUR_PASS;
     }

@@ -298,8 +298,8 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the position of the ball from the robot's own sightings, compensating for the tilt of the torso. This is
-     * more precise near the feet.
+     * Predicts the position of the ball from the robot's own sightings, compensating for the tilt of the torso. Near the
+     * feet, this is more precise than {@link #ballIn}.
      *
      * @param later seconds from now
      * @return the predicted position in the robot's frame

@@ -1,5 +1,5 @@
 /**
- * Access to the files that pages may name. Start with {@link org.robonewbie.studio.file.PageFolder}.
+ * Access to the files that pages may read and write. Start with {@link org.robonewbie.studio.file.PageFolder}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

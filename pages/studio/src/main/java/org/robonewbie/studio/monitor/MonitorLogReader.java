@@ -75,7 +75,7 @@ public final class MonitorLogReader {
         return new BufferedReader(new InputStreamReader(plain, StandardCharsets.ISO_8859_1));
     }
 
-    /** RoboViz prefixes a message with its drawings as a list of numbers; the message starts at the first bracket. */
+    /** Reads a line. In RoboViz logs, a list of numbers for the drawings precedes the message, which starts at the first "((". */
     private void take(String line, Path file) throws IOException {
         int start = line.indexOf("((");
         if (start < 0) {

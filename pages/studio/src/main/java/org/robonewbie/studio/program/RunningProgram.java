@@ -6,7 +6,7 @@ public interface RunningProgram extends AutoCloseable {
     /** {@return the tail of the program's output} */
     String output();
 
-    /** {@return whether it runs} */
+    /** {@return whether the program is running} */
     boolean isRunning();
 
     /** {@return the exit code of its process; 0 while it runs} */

@@ -169,7 +169,7 @@ final class RecordingFolders implements RecordingStore {
         return Objects.requireNonNull(file.toAbsolutePath().getParent());
     }
 
-    /** Empties the bin of a folder if it has not changed for an hour; ignores errors. */
+    /** Empties the bin of a folder if the bin has not changed for an hour; ignores errors. */
     private static void emptyBin(Path folder) {
         Path bin = folder.resolve(REMOVED);
         try (Stream<Path> files = Files.list(bin)) {

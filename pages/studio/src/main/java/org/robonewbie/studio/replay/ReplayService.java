@@ -30,7 +30,7 @@ import org.robonewbie.studio.service.PageService;
  */
 public final class ReplayService implements PageService {
 
-    /** Explains that a recording was not found. */
+    /** Message for a recording that was not found. */
     public static final String GONE = "This recording no longer exists. Choose another one.";
 
     private static final List<String> FILE_ENDINGS = List.of(RecordingRepository.ENDING, AtomicFile.UNFINISHED);

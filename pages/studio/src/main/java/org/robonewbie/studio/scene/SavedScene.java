@@ -17,7 +17,7 @@ import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * A scene as bytes: a recording of one cycle, so any viewer of recordings can show it, and the exact state.
+ * A scene as bytes: a recording of one cycle, which any viewer of recordings can show, and the exact state.
  *
  * @param recording the uncompressed recording
  * @param exact the exact state; empty if it was not saved
@@ -61,7 +61,7 @@ public record SavedScene(byte[] recording, byte[] exact) {
      * Reads a scene from {@link #toBytes}.
      *
      * @param bytes the bytes
-     * @return the scene; a damaged one if they are damaged
+     * @return the scene, which is damaged if the bytes are
      */
     public static SavedScene of(byte[] bytes) {
         try {
@@ -72,7 +72,7 @@ public record SavedScene(byte[] recording, byte[] exact) {
         }
     }
 
-    /** {@return recording and exact state together} */
+    /** {@return the recording and the exact state, in the format that {@link #of} reads} */
     public byte[] toBytes() {
         StateWriter out = new StateWriter();
         out.putBytes(recording, recording.length);

@@ -6,8 +6,8 @@ import java.io.IOException;
  * An undoable change to the saved scenes.
  *
  * @param name description of the change
- * @param undoing undoes it
- * @param redoing redoes it
+ * @param undoing undoes the change
+ * @param redoing redoes the change
  */
 record SceneCommand(String name, Step undoing, Step redoing) implements UndoableCommand {
 

@@ -113,7 +113,7 @@ public final class SceneService implements PageService {
         return store.read(name);
     }
 
-    /** Refuses names that differ from an existing one only in case too, because some file systems ignore case. */
+    /** Refuses existing names, and names that differ from them only in case, because some file systems ignore case. */
     private void requireUnused(String name) throws IOException {
         if (store.names().stream().anyMatch(name::equalsIgnoreCase)) {
             throw new IllegalArgumentException("There is already a scene named \"" + name + "\". Choose another name.");
@@ -124,7 +124,7 @@ public final class SceneService implements PageService {
         return new IllegalArgumentException("The scene \"" + name + "\" is damaged.");
     }
 
-    /** Returns whether a scene can have a name. */
+    /** Returns whether a name is valid for a scene. */
     static boolean isName(String name) {
         return FileName.isPlain(name, " _.-", MAX_NAME_CHARACTERS);
     }

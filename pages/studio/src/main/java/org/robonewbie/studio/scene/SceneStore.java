@@ -29,7 +29,7 @@ public interface SceneStore {
      * @param name its name
      * @param scene the scene
      * @throws IOException if it cannot be written
-     * @throws IllegalArgumentException if something else has this name
+     * @throws IllegalArgumentException if a file other than a scene has this name
      */
     void write(String name, SavedScene scene) throws IOException;
 

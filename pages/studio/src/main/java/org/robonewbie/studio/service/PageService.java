@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Service behind a page. Thread-safe. */
+/** Service that answers the requests of pages. Thread-safe. */
 @FunctionalInterface
 public interface PageService {
 

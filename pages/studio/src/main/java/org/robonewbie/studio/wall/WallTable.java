@@ -3,7 +3,7 @@ package org.robonewbie.studio.wall;
 import java.util.List;
 
 /**
- * Table of a contest.
+ * Table of results of a contest.
  *
  * @param over number of finished trials
  * @param planned number of trials planned so far

@@ -238,7 +238,7 @@ export class Studio {
   /** @param {import('./panels/rooms.js').RoomName} entered */
   async #enter(entered) {
     if (this.cursor.recorded?.running && entered !== 'replay') {
-      this.cursor.goLive(); // other rooms steer the running simulation
+      this.cursor.goLive(); // other rooms control the running simulation
     }
     this.touch();
     this.workspace.enter(entered);

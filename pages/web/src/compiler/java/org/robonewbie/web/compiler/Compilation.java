@@ -102,7 +102,7 @@ final class Compilation {
      * @param files the libraries
      * @param sources the source files, the first one with a placeholder at the cursor
      * @param begun the part of the identifier before the cursor
-     * @return the proposals; the documentation field of each holds a tab, the class name, a tab, and the key of its documentation
+     * @return the proposals; the documentation field of each contains a tab, the class name, a tab, and the key of its documentation
      */
     static List<Proposal> proposals(MemoryFiles files, List<JavaFileObject> sources, String begun) {
         Context context = new Compilation(files).context;

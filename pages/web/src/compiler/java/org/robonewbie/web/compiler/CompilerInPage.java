@@ -35,7 +35,7 @@ public final class CompilerInPage {
      * Loads the class libraries.
      *
      * @param library concatenated files, each as its name, its size in bytes, and its contents
-     * @throws IOException never
+     * @throws IOException never, because the bytes are in memory
      */
     @JSExport
     public static void takeLibrary(Int8Array library) throws IOException {
@@ -78,7 +78,8 @@ public final class CompilerInPage {
     }
 
     /**
-     * Returns a diagnostic as tab-separated fields: kind, file, line, first and last character, hint, and message.
+     * Returns a diagnostic as tab-separated fields: kind, file, line, start and end index in the source, hint, and
+     * message.
      *
      * @param index zero-based index of the diagnostic
      * @return the diagnostic

@@ -1,11 +1,11 @@
 package org.robonewbie.learning.dataset;
 
 /**
- * One column of a table. The JSON of {@code dataset.json} uses the names of these components.
+ * One column of a table. The JSON in {@code dataset.json} uses the names of these record components.
  *
  * @param name a name such as {@code true_left_knee_pitch}
- * @param kind the type of the cells: {@code decimal} for {@link Double} (NaN if missing), {@code whole} for {@link Long}, {@code text}
- *     for {@link String}
+ * @param kind the type of the cells: {@code decimal} for {@link Double} (NaN if missing), {@code whole} for {@link
+ *     Long}, {@code text} for {@link String}
  * @param unit a unit such as {@code degrees}; empty if there is none
  * @param meaning a short description
  */

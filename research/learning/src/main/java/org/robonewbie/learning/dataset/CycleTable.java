@@ -143,7 +143,7 @@ final class CycleTable {
         row.addAll(List.of(vector.x(), vector.y(), vector.z()));
     }
 
-    /** Rounds to hundredths, the resolution of times, to remove floating-point errors. */
+    /** Rounds a time to hundredths of a second to remove floating-point errors. */
     private static double rounded(double seconds) {
         return Math.round(seconds * 100) / 100.0;
     }

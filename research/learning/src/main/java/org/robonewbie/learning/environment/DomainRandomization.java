@@ -127,7 +127,10 @@ public final class DomainRandomization {
         this.ranges = ranges;
     }
 
-    /** Returns a copy with an option set; an unknown name throws an {@link IllegalArgumentException} that lists all options. */
+    /**
+     * Returns a copy with an option set; throws an {@link IllegalArgumentException} that lists all options if the name is
+     * unknown.
+     */
     DomainRandomization with(String word, String text) {
         Map<Name, Range> changed = new EnumMap<>(Name.class);
         changed.putAll(ranges);

@@ -53,7 +53,7 @@ class EngineFollowTraining extends CommandedTraining {
         before = Optional.of(now.place());
     }
 
-    /** Returns the distance covered along the commanded path. */
+    /** Returns the distance covered along the commanded path, in metres. */
     double metres() {
         return metres;
     }

@@ -12,8 +12,9 @@ import java.util.function.Consumer;
 import org.robonewbie.simulator.embedded.Viewer;
 
 /**
- * TCP server on the loopback interface that offers environments to learning programs in other languages. Each connection
- * has its own environments. docs/gym-protocol.md describes the messages; {@code research/python} is a client.
+ * TCP server on the loopback interface that offers environments to training programs in other languages. Each
+ * connection has its own environments. docs/gym-protocol.md describes the messages; {@code research/python} is a
+ * client.
  */
 public final class EnvironmentServer implements AutoCloseable {
 

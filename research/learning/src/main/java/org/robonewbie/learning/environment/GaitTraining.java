@@ -197,7 +197,7 @@ final class GaitTraining extends CommandedTraining {
                 : commands.apply(this);
     }
 
-    /** Draws forward, backward, sideways, turning in place, standing, or a combination within the limits. */
+    /** Draws a velocity: forward, backward, sideways, turning in place, standing, or a combination within the limits. */
     private WalkVelocity drawAnyDirection() {
         double kind = draws.nextDouble();
         double forward = draws.nextDouble();

@@ -50,7 +50,7 @@ final class KickTraining extends TrainingTask {
         distance.see(now);
     }
 
-    /** {@return whether the ball comes to rest at least 3 m ahead and the robot has not fallen} */
+    /** {@return whether the ball rolls at least 3 m forward and the robot has not fallen} */
     @Override
     public boolean isDone() {
         return !hasFallen() && distance.value() >= GOAL_METRES;

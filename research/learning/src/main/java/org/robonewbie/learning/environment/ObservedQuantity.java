@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * One component of an observation. The JSON of docs/gym-protocol.md uses the names of these components.
+ * One component of an observation. The JSON in docs/gym-protocol.md uses the names of these record components.
  *
  * @param name a name such as {@code joint.LEFT_KNEE_PITCH}
  * @param unit a unit such as {@code degrees}

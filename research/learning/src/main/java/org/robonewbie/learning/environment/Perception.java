@@ -15,7 +15,7 @@ import org.robonewbie.trial.SensorReadings;
 
 /**
  * Converts a robot's sensor readings to an observation vector, with the resolution of perceptor messages (hundredths).
- * Axes are those of an agent: forward, left, up. The last camera image holds until the next one, 60 ms later.
+ * Axes are those of an agent: forward, left, up. The last camera image is used until the next one arrives, 60 ms later.
  *
  * <pre>{@code
  * Perception perception = new Perception(false);

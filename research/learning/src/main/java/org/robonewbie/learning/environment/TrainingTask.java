@@ -75,8 +75,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     /**
      * {@inheritDoc}
      *
-     * <p>By default, the robot stands 3 m in front of the goal with the ball 1 m ahead. A reset is fast if the scene
-     * equals that of the previous episode, so apply small variations in {@link #begin}, not here.
+     * <p>By default, the robot stands 3 m in front of the goal with the ball 1 m ahead of it. A reset is fast if the
+     * scene equals that of the previous episode, so apply small variations in {@link #begin}, not here.
      */
     @Override
     public Scene scene(RandomSource episodeRandom) {
@@ -158,12 +158,12 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                         .toList();
     }
 
-    /** {@return the joints that an action moves, by default those of both legs; the others hold still} */
+    /** {@return the joints that an action moves, by default those of both legs; all other joints hold still} */
     public List<Joint> joints() {
         return LEGS;
     }
 
-    /** {@return the angle by which an action of 1 differs from the initial posture} */
+    /** {@return the angle in degrees by which an action of 1 turns a joint away from the initial posture} */
     public abstract double rangeDegrees();
 
     /** {@return the number of cycles after which an episode is truncated, by default 500 (10 s)} */
@@ -176,7 +176,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return false;
     }
 
-    /** {@return the components of the observation in addition to the perceptors, by default none} */
+    /** {@return the components of the observation in addition to the sensor readings, by default none} */
     public List<ObservedQuantity> extraQuantities() {
         return List.of();
     }
@@ -248,7 +248,10 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 0;
     }
 
-    /** {@return whether the robot has achieved the goal of the task; learning programs receive it as {@code info["is_success"]}} */
+    /**
+     * {@return whether the robot has achieved the goal of the task; training programs receive it as {@code
+     * info["is_success"]}}
+     */
     public boolean isDone() {
         return !hasFallen();
     }

@@ -68,7 +68,7 @@ final class WalkGuide {
         return posture;
     }
 
-    /** Plans the next cycle for a commanded velocity and an observation of {@link Perception}. */
+    /** Plans the next cycle, given the commanded velocity and an observation from {@link Perception}. */
     void plan(WalkVelocity command, double... observation) {
         engine.towards(command);
         engine.update(Perception.torso(observation));

@@ -178,7 +178,7 @@ public final class MotionTrial implements AutoCloseable {
         endsWithFall = untilFall;
     }
 
-    /** Continues the trial after a fall. */
+    /** Lets the trial continue after a fall. */
     public void allowFalls() {
         endsWithFall = false;
     }

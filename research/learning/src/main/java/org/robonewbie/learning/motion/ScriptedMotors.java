@@ -18,7 +18,10 @@ import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
-/** Robot with a motion player and a walk engine. It is faster than an agent and supports any walk, learned or not. */
+/**
+ * Robot with a motion player and a walk engine. It takes less processor time than an agent and supports any walk,
+ * learned or not.
+ */
 public final class ScriptedMotors implements ScriptedRobot {
 
     private final JointStates joints = new JointStates();

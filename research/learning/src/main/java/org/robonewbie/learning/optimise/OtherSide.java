@@ -34,7 +34,7 @@ public final class OtherSide {
     }
 
     /**
-     * Writes the mirror image of a motion beside it.
+     * Writes the mirror image of a motion to a file beside it.
      *
      * @param file a motion file such as {@code kick-right.txt}
      * @throws IOException if a file cannot be read or written

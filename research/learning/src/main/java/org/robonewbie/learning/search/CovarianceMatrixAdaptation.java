@@ -13,7 +13,8 @@ import java.util.stream.IntStream;
  * noisy and multimodal, such as the distance that a robot walks.
  *
  * <p>By default, the search also learns from the worse half of a generation by negative recombination weights (active
- * CMA-ES), which saves a fifth to a third of the evaluations on ill-conditioned problems. {@link #plain} omits them.
+ * CMA-ES), which saves a fifth to a third of the evaluations on ill-conditioned problems. {@link #plain} uses no negative
+ * weights.
  *
  * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants and equation numbers.
  *

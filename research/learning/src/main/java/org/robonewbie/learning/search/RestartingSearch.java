@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * BIPOP-CMA-ES: restarts {@link CovarianceMatrixAdaptation} when a run has converged, because it may have found only a
- * local optimum. A restart has either twice the largest population so far, which smooths over local optima, or a small
- * population and step size. Both kinds of restart get about the same number of evaluations.
+ * BIPOP-CMA-ES: restarts {@link CovarianceMatrixAdaptation} when a run has converged, because it may have found only a local
+ * optimum. A restart uses either twice the largest population so far, which smooths over local optima, or a small population
+ * and step size. Both kinds of restart get about the same number of evaluations.
  *
  * <p>Source: N. Hansen, Benchmarking a BI-Population CMA-ES on the BBOB-2009 Function Testbed (2009).
  */

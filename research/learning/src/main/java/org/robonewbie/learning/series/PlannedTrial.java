@@ -24,7 +24,7 @@ public record PlannedTrial(
         texts = new LinkedHashMap<>(texts);
     }
 
-    /** Returns all parameters in the order of the table. */
+    /** Returns all parameters, in the order of the table's columns. */
     LinkedHashMap<String, Object> all() {
         LinkedHashMap<String, Object> all = new LinkedHashMap<>(parameters);
         all.putAll(texts);

@@ -19,8 +19,8 @@ final class ReplayLink implements AgentLink {
     private static final List<byte[]> MESSAGES = load();
 
     /**
-     * First message, with the number and the side: a server sends them only once, and a robot needs them before it
-     * plays.
+     * First message, with the uniform number and the side: a server sends these only once, and a robot needs them
+     * before it plays.
      */
     private static final byte[] WELCOME =
             "(time (now 0.02))(GS (unum 1) (team left) (t 0.00) (pm PlayOn))".getBytes(StandardCharsets.US_ASCII);

@@ -7,10 +7,10 @@ import java.util.List;
  * Block principal pivoting solver for the linear complementarity problem (LCP) of the constraint forces: every row is either
  * satisfied or has its force at a limit.
  *
- * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free
- * row whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are
- * pivoted together, which nearly always converges in one or two iterations. When their number stops decreasing, only the
- * last one is pivoted (Murty's rule). This rule converges because A is positive definite, but may take many iterations.
+ * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free row
+ * whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are pivoted
+ * together, which nearly always converges in one or two iterations. When their number stops decreasing, only the last one is
+ * pivoted (Murty's rule). This rule converges because the system matrix is positive definite, but may take many iterations.
  *
  * <p>Source: Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity
  * problems" (1994).
@@ -182,7 +182,10 @@ final class BlockPivotingLcpSolver {
         }
     }
 
-    /** Sets the forces of rows at a limit, clears all others and selects the affected bodies; returns whether there are any. */
+    /**
+     * Sets the forces of rows at a limit, clears all others and selects the affected bodies; returns whether any body is
+     * affected.
+     */
     private boolean applyLimitForces() {
         Arrays.fill(rows.force, 0, rows.count, 0);
         accelerations.clearPushing();

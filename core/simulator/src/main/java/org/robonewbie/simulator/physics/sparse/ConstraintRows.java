@@ -44,7 +44,7 @@ final class ConstraintRows {
     byte[] state = {};
     /** State of each row that the last iteration suggests for the next one. */
     byte[] nextState = {};
-    /** Right-hand side and solution of the linear system. */
+    /** Right-hand side of the linear system and, after it has been solved, its solution. */
     double[] solution = {};
 
     /** Resets rows to unlimited forces, target speed 0 and a default softness. Jacobians keep their old values. */

@@ -3,8 +3,8 @@ package org.robonewbie.simulator.physics.sparse;
 /**
  * Gyroscopic torque of a body whose principal moments of inertia differ.
  *
- * <p>As in ODE, the torque is integrated implicitly so that it cannot add energy: with the angular momentum L and the
- * inertia I, solve {@code (I - h [L]×) w = L / h}; the torque is {@code I w - L / h} ({@code
+ * <p>As in ODE, the torque is integrated implicitly so that it cannot add energy: with the angular momentum L, the inertia I
+ * and the duration h of the step, it is {@code I w - L / h}, where w solves {@code (I - h [L]×) w = L / h} ({@code
  * dxStepIsland_Stage0_Bodies}). The computation uses body axes, where I is diagonal.
  */
 final class Gyroscope {

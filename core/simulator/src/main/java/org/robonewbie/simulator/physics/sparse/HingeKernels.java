@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics.sparse;
 
 /**
  * {@link BlockKernels} unrolled for hinges, which have six rows, so that a block stays in registers. Nearly all joints of
- * a robot are hinges. Terms are summed in the same order.
+ * a robot are hinges. Terms are summed in the same order as there.
  */
 final class HingeKernels {
 

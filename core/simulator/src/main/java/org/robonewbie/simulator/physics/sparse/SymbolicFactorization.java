@@ -7,7 +7,7 @@ import java.util.Arrays;
  * storage offsets of its blocks.
  *
  * <p>Joints are numbered by elimination order. Column k of the factor has a diagonal block and, below it, one block for
- * each later joint that is coupled with k. The row counts of its two joints determine the size of a block. The
+ * each later joint that is coupled with k. The size of a block is given by the row counts of its two joints. The
  * factorization depends only on which joints connect which bodies, so it is valid as long as the contact pattern stays
  * the same, and for every robot of the same type.
  *
@@ -185,8 +185,8 @@ final class SymbolicFactorization {
     }
 
     /**
-     * Schedules the updates of one column by the product of the right block of the source column with each block from the
-     * right one downwards.
+     * Schedules the updates of one column: the products of a block of the source column, named right, with itself and with each
+     * block below it.
      */
     private void scheduleUpdates(int source, int right, int end) {
         int column = below[right];

@@ -6,8 +6,8 @@ import java.util.List;
 /**
  * LRU cache of symbolic factorizations, because the same few contact patterns recur.
  *
- * <p>The factorization of a pile of robots is large and rarely reused unless the pile is at rest. Only the most recent
- * large one is kept, and it is released if it has not been used for some time. All others share a memory limit.
+ * <p>The factorization of a pile of robots is large and rarely reused unless the pile is at rest. Only the most recent large
+ * one is kept, and it is released if it has not been used for some time. All smaller ones share a memory limit.
  */
 final class SymbolicFactorizationCache {
 

@@ -111,7 +111,7 @@ export class CameraController {
     this.isStill = false;
   }
 
-  /** Copies the view of another camera; a view that it composed is fitted to this camera's picture. @param {CameraController} other */
+  /** Copies the view of another camera; a composed view is fitted to this camera's picture. @param {CameraController} other */
   lookAs({ mode, chosen, shown, isComposed, followed, headingDegrees: heading }) {
     this.chosen = chosen;
     this.setMode(mode);
@@ -186,7 +186,8 @@ export class CameraController {
   }
 
   /**
-   * Keeps the robot in the centre. The camera does not turn with the robot; only after a jump does it return to the robot's front.
+   * Keeps the robot in the centre. The camera does not turn with the robot; only after the robot has been repositioned does the camera
+   * return to its front.
    *
    * @param {Float32Array} robot
    */

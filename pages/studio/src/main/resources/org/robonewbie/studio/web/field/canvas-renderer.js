@@ -54,7 +54,7 @@ export class CanvasRenderer {
   }
 
   /**
-   * Paints faces. Neighbours in the same style share a path, which hides the seams between them.
+   * Paints faces. Neighbouring faces in the same style share a path, which hides the seams between them.
    *
    * @param {import('./faces.js').Face[]} faces
    */

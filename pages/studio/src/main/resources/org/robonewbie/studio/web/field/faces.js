@@ -7,12 +7,12 @@ import { SUN } from './light.js';
  * @property {number} layer ground, solid objects or overlays
  * @property {number} depth within its layer; larger ones are painted first
  * @property {string} style
- * @property {number[]} points x and y of each corner in pixels; of a picture, its left top and right bottom corner
+ * @property {number[]} points x and y of each corner in pixels; of a picture, its top left and bottom right corners
  * @property {boolean} isLine
  * @property {boolean} [grows] whether it is enlarged to hide the seams to its neighbours
  * @property {CanvasImageSource} [picture]
  *
- * @typedef {object} Body vertices of a mesh and their place in the world
+ * @typedef {object} Body poses and colours of a mesh
  * @property {THREE.Matrix4[]} poses one, or one for each limb
  * @property {number[]} [team] red, green and blue of the team
  * @property {number} opacity
@@ -23,17 +23,17 @@ const [GROUND, SOLID, OVERLAY] = [0, 1, 2];
 /** Faces below this height lie on the ground, which everything else hides. */
 const GROUND_METRES = 0.015;
 
-/** Painted parts lie a little above the shell below them. */
+/** Distance by which painted parts are brought forward, in front of the shell below them. */
 const PAINT_METRES = 0.02;
 
-/** Distance by which one unit of a material's polygon offset moves it away. */
+/** Distance by which one unit of a material's polygon offset moves a face away from the camera. */
 const OFFSET_METRES = 0.02;
 
 const TO_SUN = SUN.clone().normalize();
 const SKY_LIGHT = 0.45;
 const SUN_LIGHT = 0.6;
 
-/** Enlarges faces, so that no seams are visible between them. */
+/** Distance by which faces are enlarged to hide the seams between them. */
 const SEAM_PIXELS = 0.6;
 
 export class Faces {
@@ -113,7 +113,7 @@ export class Faces {
     return { layer: SOLID, depth: middle.distanceTo(this.camera.position) + behind - PAINT_METRES * paint };
   }
 
-  /** Clips a polygon at the camera and adds it. @param {THREE.Vector3[]} places @param {Face} face without points */
+  /** Clips a polygon or line at the camera's near plane and adds it. @param {THREE.Vector3[]} places @param {Face} face without points */
   #push(places, face) {
     places.forEach((place) => place.applyMatrix4(this.camera.matrixWorldInverse));
     const points = this.#pixels(clipped(places, this.camera.near, face.isLine));
@@ -186,7 +186,10 @@ const scratch = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
 const centre = new THREE.Vector3();
 const facing = new THREE.Plane();
 
-/** @param {THREE.Material | THREE.Material[]} material @returns {boolean} whether it has a colour: the sky and textures are left out */
+/**
+ * @param {THREE.Material | THREE.Material[]} material @returns {boolean} whether it has a plain colour; the sky and textured materials are
+ *     omitted
+ */
 function isDrawable(material) {
   const { side, vertexColors, map } = /** @type {THREE.MeshBasicMaterial} */ (material);
   return side !== THREE.BackSide && !(material instanceof THREE.ShadowMaterial) && (vertexColors || !map);
@@ -215,7 +218,7 @@ function bodiesOf(mesh) {
  * @param {THREE.BufferGeometry} geometry
  * @param {THREE.MeshBasicMaterial} look
  * @param {Body} body
- * @param {number} corner first corner of the face
+ * @param {number} corner index of the face's first corner
  * @param {THREE.Vector3} normal
  */
 function styleOf({ attributes: { color, paint } }, look, { team, opacity }, corner, normal) {
@@ -252,7 +255,7 @@ function css(colour, opacity) {
 }
 
 /**
- * Cuts off what lies behind the camera.
+ * Clips a polygon or polyline at the camera's near plane.
  *
  * @param {THREE.Vector3[]} corners from the camera, which looks along -z
  * @param {number} near

@@ -9,7 +9,7 @@ import { InstancedRobots } from './instanced-robots.js';
  * @typedef {import('../live/state-frame.js').Frame} Frame
  */
 
-/** Transparent objects are drawn last. */
+/** Render order of the ghosts: transparent objects are drawn last. */
 const AFTER_ROBOTS = 2;
 const NO_NEAR_ROBOTS = { nearMetres: 0, maxNear: 0 };
 const BALL_OPACITY = 0.4;

@@ -18,7 +18,7 @@ import { RobotTable } from './robot-table.js';
  * @property {THREE.Matrix4} fit transformation that fits the design to the robot type
  */
 
-/** Robots are drawn before the ground, much of which they hide. */
+/** Render order of the robots: before the ground, much of which they hide. */
 const BEFORE_GROUND = -1;
 
 export class InstancedRobots {

@@ -1,7 +1,7 @@
 /** Materials for robots, and team colours. */
 import * as THREE from 'three';
 
-/** Team colours that are distinguishable by colour-blind viewers (after Okabe and Ito). */
+/** Team colours that colour-blind viewers can distinguish (after Okabe and Ito). */
 export const TEAM_COLOURS = { left: 0x0a6fd8, right: 0xf07f13, '': 0x8b949e };
 
 /**

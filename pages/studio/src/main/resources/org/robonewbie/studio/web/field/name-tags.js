@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { element } from '../panels/elements.js';
 import { nameOf, shownTags } from '../state/name-tags.js';
 
-/** Above the centre of the torso, so that the tag clears the head. */
+/** Height of a tag above the centre of the torso, which clears the head. */
 const METRES_ABOVE_TORSO = 0.31;
 const ROBOT_METRES = 0.57;
 

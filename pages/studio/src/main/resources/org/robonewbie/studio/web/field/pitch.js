@@ -28,8 +28,8 @@ export function pitch(field, colours, blades) {
 }
 
 /**
- * Creates the ground around the grass. Below the grass it would shine through: the depth of such large triangles is inaccurate without a
- * graphics card.
+ * Creates the ground around the grass. It does not extend below the grass, because it would shine through: without a graphics card, the
+ * depth of such large triangles is inaccurate.
  *
  * @param {Field} field
  * @param {import('./light.js').Palette} colours

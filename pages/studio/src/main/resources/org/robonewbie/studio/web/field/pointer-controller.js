@@ -34,7 +34,7 @@ const TIPS = {
 };
 
 export class PointerController {
-  /** Starts at a random number, because other pages number their drags as well. */
+  /** Number of the last drag. Starts at a random value, because other pages number their drags too. */
   #gestures = 1000 * Math.floor(1e9 * Math.random());
   #lastOrder = 0;
   /** @type {Grip | undefined} */

@@ -10,8 +10,8 @@
  * @property {number} sceneRevision
  * @property {number} cycle
  * @property {number} gameTime seconds
- * @property {number} speed requested simulated seconds per second; Infinity = as fast as possible
- * @property {number} realTimeFactor measured simulated seconds per second
+ * @property {number} speed requested simulated seconds per second of real time; Infinity = as fast as possible
+ * @property {number} realTimeFactor measured simulated seconds per second of real time
  * @property {number} playMode index in the scene's list
  * @property {number} scoreLeft
  * @property {number} scoreRight
@@ -28,7 +28,7 @@
  * @property {'left'|'right'|''} side
  * @property {number} number
  * @property {string} type
- * @property {boolean} [puppet] whether the user steers it
+ * @property {boolean} [puppet] whether the user controls it manually
  *
  * @typedef {object} Field
  * @property {number} length
@@ -55,7 +55,7 @@
  * @property {string[]} playModes
  * @property {number} [agentPort] port for agents, if they can join
  * @property {boolean} [clock] whether the clock can be paused
- * @property {boolean} [puppets] whether robots steered by the user can join
+ * @property {boolean} [puppets] whether manually controlled robots can join
  * @property {Trial} [trial] the running trial of an exercise, if any
  *
  * @typedef {{task: string, attempt: number, seed: number}} Trial trials of the same task and seed start identically

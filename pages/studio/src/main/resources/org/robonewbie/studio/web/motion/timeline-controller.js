@@ -122,7 +122,7 @@ export class TimelineController {
     if (!grip) {
       this.#explain(spot, part);
     } else if (framesOf(this.#state).length !== keyframesOf(grip.base).length) {
-      this.#drop(); // A key has changed the motion during the drag.
+      this.#drop(); // A key press has changed the motion during the drag.
     } else if (grip.action === 'scrub') {
       this.#scrub(spot);
     } else if (Math.hypot(spot.x - grip.from.x, spot.y - grip.from.y) > START_PIXELS || this.#isMoving) {

@@ -5,7 +5,7 @@ import { secondsText } from '../state/motion/timing.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 
-/** A lag smaller than this is invisible. */
+/** Minimum lag to report, in degrees; a smaller one is invisible. */
 const KEPT_DEGREES = 1;
 
 /** @param {Editor} editor @param {string} start standing, back or front */

@@ -1,4 +1,4 @@
-/** For teachers: chooses exercises and trials for a class, and makes the link that its pupils open in the web edition. */
+/** For teachers: chooses exercises and trials for a class, and creates the link that its pupils open in the web edition. */
 import { classHash } from '../state/class-link.js';
 import { button, choice, element, setText } from './elements.js';
 import { keep, recall } from './memory.js';

@@ -57,7 +57,7 @@ export class CoursePanel {
 
   /**
    * @param {(text: string) => void} note
-   * @param {() => void} goLive shows the present
+   * @param {() => void} goLive returns to the present
    * @param {(starting: string) => void} announce shows what is about to replace the scene
    * @param {(on: boolean) => void} showGhost shows or hides the ghost of the previous trial
    */
@@ -167,7 +167,7 @@ export class CoursePanel {
     }
   }
 
-  /** @param {boolean} isPossible whether programs can be started here; a page checks them in the Program room */
+  /** @param {boolean} isPossible whether programs can be started here, not only in the Program room */
   #offerStart(isPossible) {
     const { program, trials, start } = this.#parts;
     [program, trials, start].forEach((each) => {

@@ -123,7 +123,7 @@ export class PuppetPanel {
     this.world.send({ do: 'addPuppet', side: 'left' });
   }
 
-  /** Selects a robot that was just requested. @param {Player[]} robots */
+  /** Selects the robot that the user has just added, once it has joined. @param {Player[]} robots */
   #chooseNew(robots) {
     const puppets = robots.map((_, i) => i).filter((i) => robots[i].puppet);
     if (this.waitsForNew > 0 && puppets.length >= this.waitsForNew) {

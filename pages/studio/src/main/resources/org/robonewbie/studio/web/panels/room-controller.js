@@ -48,7 +48,7 @@ export class RoomController {
    * @param {() => void} surroundings.clearErrors dismisses the errors shown on top of the 3D view
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
-   * @param {() => void} surroundings.goLive shows the present
+   * @param {() => void} surroundings.goLive returns to the present
    * @param {(starting: string) => void} surroundings.announce shows what is about to replace the scene
    * @param {() => boolean} surroundings.hasClock whether the clock can be paused
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation

@@ -31,7 +31,7 @@ export async function startFrom(recording, moment) {
 
 /**
  * @param {(text: string) => void} note
- * @param {() => void} goLive shows the present
+ * @param {() => void} goLive returns to the present
  * @returns {(state: import('../state/studio-state.js').StudioState) => void} function that updates the scenes
  */
 export function scenePanel(note, goLive) {
@@ -46,7 +46,7 @@ export function scenePanel(note, goLive) {
 class ScenePanel {
   /** Serialises the actions, however fast the user clicks. @type {Promise<void>} */
   #last = Promise.resolve();
-  /** Undoable actions when the list was read; undo may restore or remove a scene. */
+  /** Names of the undo and redo actions when the list was last read; these may restore or remove a scene. */
   #known = '';
 
   /** @param {(text: string) => void} note @param {() => void} goLive */

@@ -1,4 +1,4 @@
-/** Leads a newcomer to the levels of the first minute. */
+/** Guides a new user to the tutorial; see `first-minute.js`. */
 import { ask } from '../live/server.js';
 import { nextLevel, SKIPPED } from '../state/program/first-minute.js';
 import { recall } from './memory.js';

@@ -13,7 +13,7 @@ const KEY = 'robonewbie-tools';
 const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const MIN_HIDDEN_PIXELS = 12;
 
-/** Panels without which a room is none. @type {PanelName[]} */
+/** Panels that cannot be hidden. @type {PanelName[]} */
 const FIXED = ['picture', 'code'];
 
 export class Workspace {

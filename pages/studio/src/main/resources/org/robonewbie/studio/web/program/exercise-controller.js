@@ -89,7 +89,7 @@ export class ExerciseController {
     this.#watch();
   }
 
-  /** Ends a running trial and returns to the free pitch. */
+  /** Ends a running trial and returns to free play. */
   async leave() {
     if (this.#isShown) {
       this.#show(await this.service.leaveAttempt());

@@ -1,4 +1,4 @@
-/** The first minute of a newcomer: three levels above the program, judged in the world, with one arrow at the next thing to do. */
+/** Tutorial for new users: three levels above the program, judged in the simulated world, and an arrow at the next step. */
 import { ask } from '../live/server.js';
 import { button, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';

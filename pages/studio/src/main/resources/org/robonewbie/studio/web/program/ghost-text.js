@@ -90,7 +90,7 @@ const look = EditorView.baseTheme({
 export const GHOST_TEXT = [LEVEL, keymap.of([{ key: 'Tab', run: insertGhost }]), look];
 
 /**
- * Proposes the changes that a program lacks to pass a level, and moves the cursor to the first one.
+ * Proposes the changes that a program still needs to pass a level, and moves the cursor to the first one.
  *
  * @param {EditorView} view
  * @param {Level | undefined} level undefined for none

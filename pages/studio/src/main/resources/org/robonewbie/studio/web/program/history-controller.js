@@ -46,7 +46,7 @@ export class HistoryController {
     }
   }
 
-  /** @param {string} path @returns {Promise<Version[]>} none if they are unreadable */
+  /** @param {string} path @returns {Promise<Version[]>} the saved versions; empty if they are unreadable */
   #read(path) {
     return this.room.service.history(path).catch(() => []);
   }

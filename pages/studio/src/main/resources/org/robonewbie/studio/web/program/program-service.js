@@ -1,4 +1,4 @@
-/** Client for everything that the program room needs: files, compiler, processes, exercises. The only server access of the room. */
+/** Client for everything that the program room needs: files, compiler, processes, exercises. The room's only access to the server. */
 
 import { ask } from '../live/server.js';
 import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
@@ -12,7 +12,8 @@ import { versionsFrom } from '../state/program/versions.js';
  * @property {ListedFile[]} own
  * @property {ListedFile[]} drafts
  * @property {string[]} examples
- * @property {{path: string, example: string}} [first] the program that runs since the studio was opened; a copy of an example is still to be created
+ * @property {{path: string, example: string}} [first] the program that has been running since the studio was opened; if it is an example,
+ *     its copy has not been created yet
  * @property {Array<{path: string, before: string}>} [shared] drafts opened by a link, with the program that was open before
  *
  * @typedef {import('../state/program/remarks.js').Remark} Remark

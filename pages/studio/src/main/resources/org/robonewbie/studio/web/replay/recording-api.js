@@ -68,7 +68,7 @@ export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob
 /**
  * @param {string} name
  * @param {number} skip bytes already known
- * @returns {Promise<{lines: string, bytes: number}>} logs and drawings of the robots, one line of JSON each
+ * @returns {Promise<{lines: string, bytes: number}>} logs and drawings of the robots, one JSON object per line
  */
 export async function loadNotes(name, skip) {
   const bytes = await (await ask(`notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();

@@ -101,7 +101,7 @@ class ReplayRoom {
     this.stale = true;
   }
 
-  /** Opens the recording that the address names, at the given moment or playing. */
+  /** Opens the recording that the address names, paused at the given moment or playing. */
   #followAddress() {
     const { name, seconds, plays } = placeOf(location.hash);
     const isHere = location.hash.startsWith('#replay/') && this.list.some((each) => each.name === name);

@@ -112,7 +112,7 @@ export class PlotController {
     this.pause.setAttribute('aria-pressed', String(this.heldAt !== undefined));
   }
 
-  /** @param {RobotMoment} moment @param {boolean} isLive whether it is the present */
+  /** @param {RobotMoment} moment @param {boolean} isLive whether the moment is the present */
   draw(moment, isLive) {
     this.moment = moment;
     this.tree.draw(moment.traces, this.rows[this.chosen]?.names ?? []);

@@ -1,4 +1,4 @@
-/** Page that shows a running search for better values of an agent's numbers. */
+/** Page that shows a running search for better values of an agent's parameters. */
 import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';

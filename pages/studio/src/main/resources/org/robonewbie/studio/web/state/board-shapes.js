@@ -3,7 +3,8 @@
  *
  * @typedef {object} BoardShape
  * @property {'circle' | 'line' | 'point' | 'sphere' | 'polygon' | 'text' | 'agent'} shape
- * @property {number[]} [numbers] numbers in the order of RoboViz's protocol, in metres; line thickness and point size are in pixels there
+ * @property {number[]} [numbers] numbers in the order of RoboViz's protocol, in metres, except line thickness and point size, which are in
+ *     pixels
  * @property {string} colour
  * @property {number} [opacity]
  * @property {string} text

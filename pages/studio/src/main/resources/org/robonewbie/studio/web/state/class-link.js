@@ -15,7 +15,7 @@ export const isClassLink = (hash) => hash.startsWith(MARK);
 /**
  * @param {string} hash fragment of the link of a class; mail programs may have encoded its commas
  * @returns {Assignment}
- * @throws {Error} if the link is not whole; the message is meant for the user
+ * @throws {Error} if the link is incomplete; the message is meant for the user
  */
 export function assignmentOf(hash) {
   const [, exercises, seeds] = LINK.exec(hash.replaceAll(/%2c/gi, ',')) ?? [];

@@ -4,7 +4,7 @@ import { eye, robotOutline } from './view-point.js';
 /**
  * @typedef {object} Face one side of a goal, seen as a solid wedge
  * @property {(point: readonly number[]) => number} depth how far a point lies inside of this side, negative outside
- * @property {boolean} isOpen whether nothing hangs there
+ * @property {boolean} isOpen whether this side has no net
  */
 
 /** Distance at which a line of sight passes a post without touching it, metres. */
@@ -14,7 +14,7 @@ const MARGIN = 0.1;
  * @param {import('../live/state-frame.js').Field} field
  * @param {number} end -1 for the left goal, 1 for the right goal
  * @param {import('./view-point.js').ViewPoint} view a view of a robot
- * @returns {boolean} whether post, bar or net of the goal lie in front of the robot
+ * @returns {boolean} whether a post, the bar or the net of the goal is in front of the robot
  */
 export function hidesRobot(field, end, view) {
   const faces = facesOf(field, end);

@@ -7,7 +7,7 @@ const DEAD_METRES = 0.06;
 const SPEED_PER_METRE = 2.5;
 const HIGH_PART = 0.6;
 
-/** Above the hardest kicks that teams have shown, in metres per second. */
+/** Maximum speed of a throw in metres per second, faster than the hardest kicks that teams have shown. */
 export const FASTEST_THROW = 12;
 
 /** @typedef {'ball' | 'robot'} Kind */

@@ -8,7 +8,7 @@ import { partitionPoint } from './partition-point.js';
  * @typedef {{cycle: number, scene: Scene, bytes: ArrayBuffer}} Kept
  */
 
-/** Ten minutes at 25 frames per second; 22 robots need 1.4 KB per frame. */
+/** Maximum number of frames: ten minutes at 25 frames per second; 22 robots need 1.4 KB per frame. */
 const MAX_FRAMES = 15_000;
 
 export class LiveHistory {

@@ -1,4 +1,4 @@
-/** State of a search for better values of an agent's numbers. */
+/** State of a search for better values of an agent's parameters. */
 import { phaseSentence, phaseWithoutLine } from './reports.js';
 
 /**

@@ -116,7 +116,7 @@ export function blendPose(from, to, part) {
 }
 
 /**
- * Returns whether an object was repositioned, for instance by a beam, rather than moved.
+ * Returns whether an object was repositioned, for instance by a beam command, rather than moved.
  *
  * @param {ArrayLike<number>} from its pose
  * @param {ArrayLike<number>} to

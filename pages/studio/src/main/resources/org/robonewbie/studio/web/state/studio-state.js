@@ -143,11 +143,11 @@ function lastGoal(state, frame, now) {
  */
 
 /**
- * The message to the user when there is nothing to see or nothing moves.
+ * Returns the message to the user if there is nothing to see or nothing moves.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
- * @param {boolean} [inExercises] whether the exercises are beside the field
+ * @param {boolean} [inExercises] whether the exercises are open beside the field
  * @returns {Message | undefined}
  */
 export function message(state, now, inExercises = false) {

@@ -163,8 +163,8 @@ export function robotCentre(torso) {
 }
 
 /**
- * Returns the three-quarter view of a robot from its front right: a raised left arm does not hide the face, and a ball before the robot is
- * visible.
+ * Returns the three-quarter view of a robot from its front right: a raised left arm does not hide the face, and a ball in front of the
+ * robot is visible.
  *
  * @param {readonly number[]} centre see {@link robotCentre}
  * @param {number} headingDegrees

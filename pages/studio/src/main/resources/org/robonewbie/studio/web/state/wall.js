@@ -66,7 +66,7 @@ export function withWallNews(wall, news) {
 
 /**
  * Assigns trials to tiles. A running trial keeps its tile; a finished one keeps its last picture until another trial needs the tile, so
- * that the wall does not jump.
+ * that the tiles do not jump.
  *
  * @param {readonly Tile[]} tiles
  * @param {readonly WallTrial[]} trials running trials

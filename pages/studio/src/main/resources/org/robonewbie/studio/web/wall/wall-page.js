@@ -1,4 +1,4 @@
-/** Page that shows a running contest: all running trials side by side, and the table. */
+/** Page that shows a running contest: all running trials side by side, and the table of results. */
 import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';

@@ -12,8 +12,8 @@
  * @property {string} reason why it cannot be balanced
  *
  * @typedef {object} BalanceReport
- * @property {number} before keyframes that were already balanced
- * @property {number} now keyframes that the shift has balanced
+ * @property {number} before number of keyframes that were already balanced
+ * @property {number} now number of keyframes that the shift has balanced
  * @property {Array<{index: number, reason: string}>} never
  */
 import { balanceOf } from './balance.js';
@@ -24,7 +24,7 @@ import { jointName, linkName } from './names.js';
 import { chainJoints, torsoMoved } from './reach.js';
 import { chosenFrames } from './selection.js';
 
-/** Target distance of the centre of mass from the edge. */
+/** Target distance of the centre of mass from the edge of the support polygon. */
 const WANTED_METRES = 0.01;
 
 /** Tolerance for rounded angles. */

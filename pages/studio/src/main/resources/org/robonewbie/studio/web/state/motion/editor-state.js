@@ -18,7 +18,7 @@
  * @property {MotionDocument} saved what is on the disk or in the library
  * @property {import('./history.js').History<MotionDocument>} history
  * @property {number} first anchor of a range selection
- * @property {number} last selected keyframe, at the playhead
+ * @property {number} last the keyframe selected last, at the playhead
  * @property {readonly number[]} chosen all selected keyframes
  * @property {readonly number[]} rows the selected joints of these keyframes, empty for all
  * @property {number} time time of the playhead, milliseconds

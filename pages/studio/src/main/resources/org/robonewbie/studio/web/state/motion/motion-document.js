@@ -7,7 +7,7 @@
  */
 import { changedLine, newLine } from './motion-text.js';
 
-/** A robot plays motions in whole cycles. */
+/** Duration of a cycle; a robot plays motions in whole cycles. */
 export const CYCLE_MILLIS = 20;
 
 /** Longest duration of a keyframe: ten minutes. */

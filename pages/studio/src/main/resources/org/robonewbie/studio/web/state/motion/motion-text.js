@@ -149,7 +149,7 @@ function wordsOf(text) {
 }
 
 /**
- * Returns the error because of which a robot would refuse the motion.
+ * Returns the reason why a robot would refuse the motion.
  *
  * @param {MotionDocument} document
  * @returns {string} a message about the first invalid line; empty if there is none

@@ -20,7 +20,7 @@ export function isUndescribed({ lines }) {
 
 /**
  * Returns whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion that has only short transitions is a
- * recording, and would not move at all under that rule.
+ * recording; under that rule, the robot would not move at all.
  *
  * @param {MotionDocument} document
  * @returns {boolean}

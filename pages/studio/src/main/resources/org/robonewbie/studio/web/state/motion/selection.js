@@ -18,7 +18,7 @@ export function chosenJoints(state) {
 }
 
 /**
- * Adds a keyframe to the selection or removes it; the last one stays.
+ * Adds a keyframe to the selection or removes it, unless it is the only one selected.
  *
  * @param {EditorState} state
  * @param {number} index

@@ -60,7 +60,7 @@ export const ORIGINAL_JOINTS = [
 ];
 
 const RANGE_SLACK = 2;
-/** Starts the rows of version 1.1. */
+/** First word of the rows of version 1.1. */
 const PLAY = 'play';
 
 /** NAO's ElbowYaw is the simulator's arm roll, and ElbowRoll bends the elbow. @type {string[]} */

@@ -13,7 +13,7 @@
  * @typedef {object} ReadProgram
  * @property {import('../decoded-text.js').DecodedText} text
  * @property {string} version
- * @property {string} problem why it cannot be decoded; the text is for display only then
+ * @property {string} problem why it cannot be decoded; the text is then for display only
  *
  * @typedef {import('../course.js').Lesson} Lesson
  */

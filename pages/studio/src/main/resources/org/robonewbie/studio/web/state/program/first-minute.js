@@ -21,7 +21,7 @@
  * @property {string} line the whole statement after the change
  */
 
-/** Storage key of the newcomer's wish to skip the levels. */
+/** Storage key of the newcomer's choice to skip the levels. */
 export const SKIPPED = 'robonewbie-first-minute-skipped';
 
 /**

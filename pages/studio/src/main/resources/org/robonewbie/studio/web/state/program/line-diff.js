@@ -3,7 +3,7 @@
  *
  * @typedef {{sign: ' ' | '−' | '+', text: string}} DiffLine a line that is in both texts, only in the first, or only in the second
  */
-/** Limits the table of the longest common subsequence. */
+/** Maximum number of cells in the table of the longest common subsequence. */
 const MAX_CELLS = 1_000_000;
 const CONTEXT_LINES = 3;
 

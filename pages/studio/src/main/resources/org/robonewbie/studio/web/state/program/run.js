@@ -69,7 +69,7 @@ export function crashOf({ state, program, output, exitCode }) {
 }
 
 /**
- * Removes from the output of a program what its robot has also reported by telemetry, and the server that it has joined.
+ * Removes from the output of a program the lines that its robot has also reported by telemetry, and those about joining the server.
  *
  * @param {string} output
  * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log

@@ -7,7 +7,7 @@
  * @typedef {{scene: Scene, frame: Frame}} Picture
  */
 
-/** Paths are stored in hundredths of a metre. */
+/** Distance up to which two paths agree; they are stored in hundredths of a metre. */
 const MIN_METRES = 0.011;
 
 /**

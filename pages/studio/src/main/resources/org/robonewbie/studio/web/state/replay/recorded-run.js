@@ -24,7 +24,7 @@
 import { partitionPoint } from '../partition-point.js';
 import { RecordingReader } from './recording-reader.js';
 
-/** At most about 40 megabytes. */
+/** Maximum number of loaded pieces, about 40 megabytes. */
 const MAX_PIECES = 36;
 const PAUSE_MILLISECONDS = 1000;
 

@@ -2,7 +2,7 @@
 import { DRAWING_SECONDS, keep, latest } from './robot-memory.js';
 import { readTelemetry } from './telemetry.js';
 
-/** One minute of a robot that draws in every frame of the live view. */
+/** Sets of drawings kept per robot: one minute of a robot that draws in every frame of the live view. */
 const MAX_PICTURES = 1500;
 
 export class DrawingMemory {

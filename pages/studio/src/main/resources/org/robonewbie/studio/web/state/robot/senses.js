@@ -80,7 +80,7 @@ function toBodyFrame([right, forward, up]) {
   return [forward, right === 0 ? 0 : -right, up];
 }
 
-/** Some servers send the team first. @param {Expression[]} expression */
+/** Reads a heard message; some servers send the team first. @param {Expression[]} expression */
 function heard(expression) {
   const at = Number.isNaN(Number(expression[1])) ? 2 : 1;
   const from = String(expression[at + 1]);

@@ -3,7 +3,7 @@ import { csvCell } from '../csv-cell.js';
 import { CYCLE_SECONDS } from '../cycle.js';
 import { partitionPoint } from '../partition-point.js';
 
-/** Five minutes. */
+/** Maximum number of rows: five minutes. */
 const MAX_ROWS = 15_000;
 
 export class Traces {

@@ -36,8 +36,8 @@ public final class PageStudentCode {
     /**
      * Returns the stack frames of the robot's own program.
      *
-     * @param trace innermost call first
-     * @return its frames, in the same order
+     * @param trace the stack trace, innermost call first
+     * @return the program's frames, in the same order
      */
     public static List<StackTraceElement> lines(StackTraceElement[] trace) {
         return Arrays.stream(trace)

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.pagejvm.StudentFields;
 
 /**
- * Creates additional instances of a student's robot to find out which fields depend on tunable numbers. Shipped agents
+ * Creates additional instances of a student's robot to find out which fields depend on tunable numbers. Example agents
  * do not need it, because they read these numbers in {@code think()}.
  */
 public final class PagePrototypeProbe {
@@ -12,7 +12,7 @@ public final class PagePrototypeProbe {
     private PagePrototypeProbe() {}
 
     /**
-     * Creates another instance of the same class with the no-arg constructor.
+     * Creates another instance of a robot's class with the no-arg constructor.
      *
      * @param robot the robot
      * @param <R> its class

@@ -13,7 +13,7 @@ public final class PageMotionFiles implements MotionSource {
 
     private PageMotionFiles() {}
 
-    /** {@return the available motions: the user's motions and the shipped motions} */
+    /** {@return the available motions: the user's and the built-in ones} */
     public static MotionLibrary library() {
         return new MotionLibrary(new PageMotionFiles(), new ShippedMotions());
     }
