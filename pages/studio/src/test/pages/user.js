@@ -97,10 +97,15 @@ class User {
     this.#expected = pattern;
   }
 
-  /** Leaves the page for another address, even if only the fragment differs. */
+  /** Leaves the page for another address, even if only the fragment differs, and waits until its room is open. */
   async visits(address) {
     await this.page.goto('about:blank');
     await this.page.goto(address);
+    await this.#waitsForTheRoom();
+  }
+
+  async #waitsForTheRoom() {
+    await this.page.waitForSelector('[aria-busy="true"]', { hidden: true });
   }
 
   /** Returns all visible text. */
@@ -138,6 +143,7 @@ class User {
 
   /** Clicks what has this role and name, as soon as it is visible and enabled. */
   async clicks(role, name) {
+    await this.#waitsForTheRoom();
     await this.#told(`clicks ${role} "${name}"`, () => this.page.locator(named(role, name)).click());
   }
 

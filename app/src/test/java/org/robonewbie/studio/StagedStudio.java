@@ -91,8 +91,7 @@ final class StagedStudio implements AutoCloseable {
         private Map<Joint, Double> posture = Posture.STANDING;
 
         void joins(TestSimulator simulation) {
-            simulation.withRobot(
-                    RobotType.values()[type], side, number, x, y, heading, new EnumMap<>(posture));
+            simulation.withRobot(RobotType.values()[type], side, number, x, y, heading, new EnumMap<>(posture));
         }
     }
 

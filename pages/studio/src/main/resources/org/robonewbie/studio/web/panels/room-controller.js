@@ -81,10 +81,22 @@ export class RoomController {
     }
     this.here = room;
     const isOpen = room === 'field' || this[room] !== undefined || this.opening.has(room);
-    if (isOpen) {
-      return;
+    if (!isOpen) {
+      this.opening.add(room);
+      this.#showBusy();
+      await this.#open(room);
+      this.opening.delete(room);
     }
-    this.opening.add(room);
+    this.#showBusy();
+  }
+
+  /** Marks the page as busy while a room is loading, for screen readers among others. */
+  #showBusy() {
+    document.body.ariaBusy = String(this.opening.size > 0);
+  }
+
+  /** @param {Exclude<RoomName, 'field'>} room */
+  async #open(room) {
     try {
       await {
         motion: () => this.#openMotion(),
@@ -95,7 +107,6 @@ export class RoomController {
     } catch (error) {
       this.surroundings.note(`This room cannot be opened: ${/** @type {Error} */ (error).message}`);
     }
-    this.opening.delete(room);
   }
 
   /** @returns {boolean} whether closing the page would lose work */

@@ -33,6 +33,7 @@ export async function openProgramRoom(surroundings) {
 }
 
 class ProgramRoom {
+  #ready = Promise.resolve();
   #checkTimer = 0;
   #checks = 0;
 
@@ -62,7 +63,13 @@ class ProgramRoom {
     this.firstMinute = new FirstMinute(this);
   }
 
-  async open() {
+  /** Opens the first file; actions of the user wait for it. */
+  open() {
+    this.#ready = this.#open();
+    return this.#ready;
+  }
+
+  async #open() {
     const list = await this.service.list();
     if (!list.open) {
       return;
@@ -108,7 +115,7 @@ class ProgramRoom {
 
   /** Runs an action and reports its failure. @param {() => Promise<void>} action */
   attempt(action) {
-    action().catch((error) => this.surroundings.note(error.message));
+    this.#ready.then(action).catch((error) => this.surroundings.note(error.message));
   }
 
   /** Saves the program, and hot-swaps it if it is running. */
