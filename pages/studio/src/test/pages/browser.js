@@ -18,7 +18,7 @@ const CHROMIUM_FLAGS = [
 
 /** Device pixels per CSS pixel in pages that no test takes a picture of. */
 const COARSE = 0.25;
-const PATIENCE_MILLIS = 60_000;
+const PATIENCE_MILLIS = 1000 * Number(process.env.PATIENCE ?? 60);
 
 /** Expected in every page that is drawn without a graphics card. */
 const EXPECTED = /GPU stall due to ReadPixels/;

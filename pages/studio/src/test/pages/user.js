@@ -12,7 +12,7 @@ import { atEnd } from './tests.js';
 const WEB_EDITION = process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
 const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
 const POLL_MILLIS = 25;
-const PATIENCE_SECONDS = 60;
+const PATIENCE_SECONDS = Number(process.env.PATIENCE ?? 60);
 
 /**
  * Opens the studio on a fresh page.
