@@ -95,6 +95,18 @@ export async function openStage(t, folder, world) {
     /** Returns cycle, isPaused, speed, playMode, score, ball `{x, y, z}`, and robots with team, number, place, heading and degrees. */
     world: () => ask({ do: 'world', id }),
 
+    /** Tells what a robot's program would tell: a line such as `log\t1.2\tBlue_Newbies\t1\tINFO\tI see the ball`. */
+    tell: (...fields) => ask({ do: 'tell', id, line: fields.join('\t') }),
+
+    /** Reports that number 1 of the left team runs into an opponent. */
+    callFoul: () => ask({ do: 'foul', id }),
+
+    /** Ends the simulator and the studio, as Ctrl+C does. */
+    end: () => ask({ do: 'end', id }),
+
+    /** Starts another simulator with a studio at the same address, after the end of the first. */
+    restart: (other) => ask({ do: 'restart', id, folder, ...other }),
+
     close,
   };
 }

@@ -72,6 +72,15 @@ function visibleText() {
   return texts.join('\n').replaceAll('\u00a0', ' ');
 }
 
+async function coloursOf(png) {
+  const bytes = Uint8Array.from(atob(png), (each) => each.charCodeAt(0));
+  const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+  pen.drawImage(image, 0, 0);
+  const { data } = pen.getImageData(0, 0, image.width, image.height);
+  return Array.from({ length: data.length / 4 }, (_, i) => [...data.slice(4 * i, 4 * i + 3)]);
+}
+
 function paste(field, text) {
   const clipboardData = new DataTransfer();
   clipboardData.setData('text/plain', text);
@@ -194,8 +203,9 @@ class User {
     }
   }
 
-  /** Returns the point `[x, y]` of the page at which the 3D picture shows a point of the pitch, in metres. */
+  /** Returns the point `[x, y]` of the page at which the 3D picture shows a point of the pitch, in metres, once the camera is still. */
   async pointOf(x, y, z) {
+    await this.page.waitForFunction(() => studio.camera.isStill);
     return this.page.evaluate(
       (...point) => {
         const { stage, camera } = studio.view;
@@ -248,6 +258,13 @@ class User {
     } finally {
       await rm(folder, { recursive: true, force: true });
     }
+  }
+
+  /** Returns the colours `[red, green, blue]` of the page, which must be sharp, in a square around a point. */
+  async coloursAround([x, y], pixels) {
+    const side = 2 * pixels + 1;
+    const clip = { x: Math.round(x) - pixels, y: Math.round(y) - pixels, width: side, height: side };
+    return this.page.evaluate(coloursOf, await this.page.screenshot({ clip, encoding: 'base64' }));
   }
 
   /** Takes a picture of the page, which must be sharp, and keeps it in the folder that the environment variable PICTURES names. */

@@ -64,6 +64,22 @@ final class Stage {
                 studio.order(request.get("order").toString());
                 yield Map.of();
             }
+            case "tell" -> {
+                studio.tell(request.get("line").getAsString());
+                yield Map.of();
+            }
+            case "foul" -> {
+                studio.callFoul();
+                yield Map.of();
+            }
+            case "end" -> {
+                studio.close();
+                yield Map.of();
+            }
+            case "restart" -> {
+                studios.put(id, studio.restarted(request));
+                yield Map.of();
+            }
             case "close" -> {
                 studios.remove(id);
                 studio.close();

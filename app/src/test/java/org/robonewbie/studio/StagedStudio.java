@@ -19,12 +19,15 @@ import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** A studio with all rooms, as {@code robonewbie studio} opens it, whose programs, motions, recordings and progress lie in one folder. */
 final class StagedStudio implements AutoCloseable {
@@ -36,6 +39,7 @@ final class StagedStudio implements AutoCloseable {
     private final CourseService course;
     private final TelemetryServer telemetry;
     private final StudioServer studio;
+    private final AccessToken token;
 
     /**
      * Opens the studio.
@@ -43,6 +47,11 @@ final class StagedStudio implements AutoCloseable {
      * @param request JSON object with its folder, and with robots that hold a posture or a world that waits for its first robot
      */
     StagedStudio(JsonObject request) throws IOException {
+        this(request, 0, AccessToken.random());
+    }
+
+    private StagedStudio(JsonObject request, int port, AccessToken token) throws IOException {
+        this.token = token;
         Path folder = Path.of(text(request, "folder", ""));
         Robot[] robots = new Gson().fromJson(request.get("robots"), Robot[].class);
         simulation = new TestSimulator(SimulatorSettings.of(WorldSettings.beginner()
@@ -69,8 +78,13 @@ final class StagedStudio implements AutoCloseable {
                 new LocalCourseHost(folder, simulation.control(), shown),
                 "");
         course.setLanguage(text(request, "language", "en"));
-        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, programs);
+        StudioFolders folders = new StudioFolders(
+                folder,
+                folder.resolve("scenes"),
+                Optional.of(new RecordingRepository(folder, SHELF_BYTES)),
+                List.of(),
+                Optional.empty());
+        studio = StudioServer.start(shown, port, token, folders, course::answer, programs);
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulation.agentPort()), studio.telemetry());
     }
 
@@ -102,6 +116,21 @@ final class StagedStudio implements AutoCloseable {
     /** Returns an address of the page, which works once. */
     String address() {
         return studio.oneTimeAddress().toString();
+    }
+
+    /** Tells the page what a robot's program would tell it. */
+    void tell(String line) {
+        studio.telemetry().accept(TelemetryLine.read(line).orElseThrow());
+    }
+
+    /** Reports that the first robot of the left team runs into an opponent. */
+    void callFoul() {
+        studio.feed().happened(new MatchEvent.FoulCalled(FoulType.CHARGING, TeamSide.LEFT, 1));
+    }
+
+    /** Opens another studio at the address of this one, which is closed. */
+    StagedStudio restarted(JsonObject request) throws IOException {
+        return new StagedStudio(request, studio.address().getPort(), token);
     }
 
     /** Executes a command of the page that changes the world. */
