@@ -59,7 +59,7 @@ public record Landscape(String name, String description, List<Thing> things) {
     /** All landscapes, the bare pitch first. */
     public static final List<Landscape> ALL = List.of(SOCCER, OBSTACLES, SLOPE, BOX);
 
-    /** Copies the list of objects. */
+    /** Stores an unmodifiable copy of the list of objects. */
     public Landscape {
         things = List.copyOf(things);
     }

@@ -41,7 +41,7 @@ public record EnvironmentSpec(String task, List<String> options) {
                     Map.entry("Match11v11", () -> MatchTraining.of(11)),
                     Map.entry("KeeperAgainstAttacker", MatchTraining::keeperAgainstAttacker)));
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public EnvironmentSpec {
         options = List.copyOf(options);
     }
