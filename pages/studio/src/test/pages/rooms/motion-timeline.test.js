@@ -62,6 +62,20 @@ async function tipsOverAtFirst(user) {
   return marks.some((x) => x < end);
 }
 
+/** Makes the robot tip over at the first keyframe, and bends it so far at the last one that it cannot be balanced there. */
+async function unbalances(user) {
+  const turnsBoth = async (joint, degrees) => {
+    await turns(user, `left ${joint}`, degrees);
+    await turns(user, `right ${joint}`, degrees);
+  };
+  await turnsBoth('foot pitch', '4');
+  await focusTimeline(user);
+  await user.presses('End');
+  await turnsBoth('hip pitch', '100');
+  await turnsBoth('foot pitch', '75');
+  await user.until(() => tipsOverAtFirst(user));
+}
+
 const isShankColoured = ({ page }) =>
   page.evaluate(() => {
     const { body, stage } = studio.motion;
@@ -69,6 +83,12 @@ const isShankColoured = ({ page }) =>
   });
 
 const seesGhosts = (user) => user.until(() => user.page.evaluate(() => studio.motion.stage.ghosts.group.visible));
+
+/** Goes to the field of a joint by Tab and types an angle. */
+async function tabsAndTypes(user, joint, degrees) {
+  await tabsTo(user, 'textbox', `${joint} in degrees`);
+  await user.types(degrees);
+}
 
 /** Presses Tab until what has this role and name has the focus. */
 async function tabsTo(user, role, name) {
@@ -199,16 +219,7 @@ slow('a click on a mark goes to it and shows the problem', async (t) => {
 
 slow('a motion is made balanced in one step, which says where that is not possible', async (t) => {
   const { user } = await openFive(t);
-  const turnsBoth = async (joint, degrees) => {
-    await turns(user, `left ${joint}`, degrees);
-    await turns(user, `right ${joint}`, degrees);
-  };
-  await turnsBoth('foot pitch', '4');
-  await focusTimeline(user);
-  await user.presses('End');
-  await turnsBoth('hip pitch', '100');
-  await turnsBoth('foot pitch', '75');
-  await user.until(() => tipsOverAtFirst(user));
+  await unbalances(user);
 
   await user.clicks('button', 'Motion ▾');
   await user.clicks('button', 'Balance');
@@ -265,13 +276,11 @@ slow('the keyboard alone makes a new motion, saves it and plays it', async (t) =
   await tabsTo(user, 'button', '+ New');
   await user.presses('Enter');
   await seesKeyframes(user, 500);
-  await tabsTo(user, 'textbox', 'left shoulder pitch in degrees');
-  await user.types('60');
+  await tabsAndTypes(user, 'left shoulder pitch', '60');
   await tabsTo(user, 'slider', 'left shoulder yaw');
   await user.presses('i');
   await seesKeyframes(user, 500, 1000);
-  await tabsTo(user, 'textbox', 'left shoulder yaw in degrees');
-  await user.types('75');
+  await tabsAndTypes(user, 'left shoulder yaw', '75');
   await tabsTo(user, 'region', TIMELINE);
   await user.presses('Control+Shift+ArrowRight');
   await seesKeyframes(user, 500, 1100);
@@ -292,9 +301,8 @@ slow('the keyboard alone makes a new motion, saves it and plays it', async (t) =
 slow('the bars take one row each on a small screen', async (t) => {
   const { user } = await openFive(t);
   for (const name of ['Motion', 'Play and try']) {
-    const { height, width } = await (
-      await user.finds('region', name)
-    ).evaluate((bar) => ({ height: bar.clientHeight, width: bar.scrollWidth }));
+    const bar = await user.finds('region', name);
+    const [height, width] = await bar.evaluate(({ clientHeight, scrollWidth }) => [clientHeight, scrollWidth]);
     assert.ok(height < 48, `${name} is ${height} pixels high`);
     assert.equal(width, 1024);
   }

@@ -75,14 +75,7 @@ quick('a new motion is shaped, played, saved and found by its name', async (t) =
 
   await user.finds('button', 'my-first');
   const keyframes = keyframesIn(await fileOf(studio, 'my-first'));
-  assert.deepEqual(
-    keyframes.map(([millis, neckYaw]) => [millis, neckYaw]),
-    [
-      [500, 0],
-      [500, 30],
-      [240, 30],
-    ],
-  );
+  assert.equal(keyframes.map(([millis, neckYaw]) => `${millis} ${neckYaw}`).join(), '500 0,500 30,240 30');
 });
 
 slow('a motion of the library is shown with its keyframes and its balance', async (t) => {
