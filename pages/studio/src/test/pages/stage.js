@@ -68,8 +68,10 @@ export async function folderWith(t, files = {}) {
  *
  * @typedef {{ side?: 'LEFT' | 'RIGHT', number?: number, type?: number, x?: number, y?: number, heading?: number,
  *   posture?: Record<string, number> }} Robot one of the left team comes first; the posture has degrees by names of joints
- * @typedef {{ robots?: Robot[], isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
- *   recordings?: string[] }} World `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall
+ * @typedef {{ robots?: Robot[], isPlaying?: boolean, isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
+ *   recordings?: string[], search?: object }} World `isPlaying` adds a robot of the team Stars that nods, raises an arm too fast and
+ *   shouts; `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall (those in its folder `project`
+ *   are of the student's project); `search` is the task of an optimisation, shown instead of the course
  */
 
 /**
@@ -81,7 +83,7 @@ export async function folderWith(t, files = {}) {
  */
 export async function openStage(t, folder, world) {
   const { ask } = (shared ??= startStage());
-  const { id } = await ask({ do: 'open', folder, ...world });
+  const { id, drawingPort } = await ask({ do: 'open', folder, ...world });
   let closing;
   const close = () => (closing ??= ask({ do: 'close', id }));
   atEnd(t, close);
@@ -94,6 +96,15 @@ export async function openStage(t, folder, world) {
 
     /** Returns cycle, isPaused, speed, playMode, score, ball `{x, y, z}`, and robots with team, number, place, heading and degrees. */
     world: () => ask({ do: 'world', id }),
+
+    /** UDP port for drawings in the protocol of RoboViz. */
+    drawingPort,
+
+    /** Tells what a robot's program would tell: a line such as `log\t1.2\tBlue_Newbies\t1\tINFO\tI see the ball`. */
+    tell: (...fields) => ask({ do: 'tell', id, line: fields.join('\t') }),
+
+    /** Publishes news of the optimisation, see StagedSearch.java, and returns whether a page shows it. */
+    search: async (news = {}) => (await ask({ do: 'search', id, news })).isWatched,
 
     close,
   };

@@ -53,7 +53,7 @@ final class Stage {
         if (request.get("do").getAsString().equals("open")) {
             opened++;
             studios.put(opened, new StagedStudio(request));
-            return Map.of("id", opened);
+            return Map.of("id", opened, "drawingPort", studios.get(opened).drawingPort());
         }
         int id = request.get("id").getAsInt();
         StagedStudio studio = studios.get(id);
@@ -64,6 +64,11 @@ final class Stage {
                 studio.order(request.get("order").toString());
                 yield Map.of();
             }
+            case "tell" -> {
+                studio.tell(request.get("line").getAsString());
+                yield Map.of();
+            }
+            case "search" -> studio.search().answer(request.getAsJsonObject("news"));
             case "close" -> {
                 studios.remove(id);
                 studio.close();

@@ -4,6 +4,7 @@ import com.google.gson.Gson;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -21,10 +22,12 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.roboviz.RoboVizPort;
 
 /** A studio with all rooms, as {@code robonewbie studio} opens it, whose programs, motions, recordings and progress lie in one folder. */
 final class StagedStudio implements AutoCloseable {
@@ -36,6 +39,8 @@ final class StagedStudio implements AutoCloseable {
     private final CourseService course;
     private final TelemetryServer telemetry;
     private final StudioServer studio;
+    private final RoboVizPort drawings;
+    private final Optional<StagedSearch> search;
 
     /**
      * Opens the studio.
@@ -54,11 +59,16 @@ final class StagedStudio implements AutoCloseable {
         for (Robot robot : robots == null ? new Robot[0] : robots) {
             robot.joins(simulation);
         }
+        if (text(request, "isPlaying", "false").equals("true")) {
+            PlayingRobot.start(simulation.control().connect().orElseThrow());
+        }
         if (text(request, "isPaused", "false").equals("true")) {
             simulation.order(new Order.Pause());
         }
         for (String name : new Gson().fromJson(text(request, "recordings", "[]"), String[].class)) {
-            RecordedRun.write(folder.resolve(name + RecordingRepository.ENDING));
+            Path file = folder.resolve(name + RecordingRepository.ENDING);
+            Files.createDirectories(file.getParent());
+            RecordedRun.write(file);
         }
         ShownSimulation shown = new ShownSimulation(simulation.control());
         programs = new ProcessCompilerService(folder);
@@ -69,8 +79,17 @@ final class StagedStudio implements AutoCloseable {
                 new LocalCourseHost(folder, simulation.control(), shown),
                 "");
         course.setLanguage(text(request, "language", "en"));
-        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, programs);
+        StudioFolders folders = new StudioFolders(
+                folder,
+                folder.resolveSibling("scenes"),
+                Optional.of(new RecordingRepository(folder, SHELF_BYTES)),
+                List.of(folder.resolve("project")),
+                Optional.empty());
+        search = Optional.ofNullable(request.get("search")).map(StagedSearch::new);
+        studio = search.isPresent()
+                ? StudioServer.start(shown, 0, AccessToken.random(), folders, search.map(StagedSearch::feed))
+                : StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, programs);
+        drawings = RoboVizPort.open(0, studio.drawings());
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulation.agentPort()), studio.telemetry());
     }
 
@@ -104,6 +123,21 @@ final class StagedStudio implements AutoCloseable {
         return studio.oneTimeAddress().toString();
     }
 
+    /** Returns the UDP port for drawings in the protocol of RoboViz. */
+    int drawingPort() {
+        return drawings.number();
+    }
+
+    /** Tells the page what a robot's program would tell it. */
+    void tell(String line) {
+        studio.telemetry().accept(TelemetryLine.read(line).orElseThrow());
+    }
+
+    /** Returns the optimisation that the studio shows instead of the course. */
+    StagedSearch search() {
+        return search.orElseThrow();
+    }
+
     /** Executes a command of the page that changes the world. */
     void order(String command) {
         StudioRequest request = StudioRequestReader.read(command);
@@ -115,6 +149,7 @@ final class StagedStudio implements AutoCloseable {
 
     @Override
     public void close() {
+        drawings.close();
         studio.close();
         programs.close();
         course.close();
