@@ -55,7 +55,7 @@ for (const format of FORMATS) {
   });
 }
 
-withBody('NAO’s own signs are those of its documentation: bent knees and lowered arms are positive', () => {
+withBody('NAO’s sign conventions are those of its documentation: bent knees and lowered arms are positive', () => {
   const webots = FORMATS.find(({ id }) => id === 'webots');
   const [head, row] = webots.write(parse(`500 ${stand.join(' ')}\n`), body, stand).split('\n');
   const value = (/** @type {string} */ name) => (Number(row.split(',')[head.split(',').indexOf(name)]) * 180) / Math.PI;
@@ -85,7 +85,7 @@ withBody('the sign convention of a Webots file is detected by the joint ranges',
   assert.equal(frames[0].degrees[0], stand[0]);
   assert.equal(frames[1].degrees[0], -90);
   assert.deepEqual(first.notes, [
-    'Angles were read with NAO’s own signs, as Webots writes them.',
+    'Angles were read with NAO’s sign conventions, as Webots writes them.',
     'Skipped LHand, which this robot does not have.',
     'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: the angles of the start posture are used.',
   ]);
@@ -200,14 +200,14 @@ const READ = [
       [400, -68.8],
       [400, 17.2],
     ],
-    /NAO’s own signs/,
+    /NAO’s sign conventions/,
   ],
   [
     'names in the second line, and a head that ends with a comma',
     'a.motion',
     '#WEBOTS_MOTION,V1.0,\r\n\r\nLShoulderPitch,RShoulderPitch,\r\n00:00:400,Pose1,1.2,1.2,\r\n',
     [[400, -68.8]],
-    /NAO’s own signs/,
+    /NAO’s sign conventions/,
   ],
   [
     'the form of version 1.1',
@@ -293,7 +293,7 @@ const READ = [
       [500, -68.8],
       [1000, 17.2],
     ],
-    /NAO’s joint names: angles were read as degrees with NAO’s own signs/,
+    /NAO’s joint names: angles were read as degrees with NAO’s sign conventions/,
   ],
   [
     'a table with more cells than names',

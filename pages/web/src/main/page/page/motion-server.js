@@ -1,5 +1,6 @@
 /** Local replacement for the motion server: the user's motions, those of the library, and trials on a robot with full physics. */
 import { decodeText } from '../state/decoded-text.js';
+import { composedName, nameProblem } from '../state/file-name.js';
 import { asBytes, asText, BrowserRepository, versionOf } from './browser-repository.js';
 
 const POSES = 'poses';
@@ -65,6 +66,11 @@ export class MotionServer {
         if (name === '') {
           return this.#list();
         }
+        const problem = nameProblem(composedName(name));
+        if (problem !== '') {
+          const refusal = `"${name}" is not a valid motion name: it ${problem}. Choose another one.`;
+          return new Response(refusal, { status: 400 });
+        }
         switch (options.method) {
           case 'PUT':
             return this.#write(repository, name, options);
@@ -95,6 +101,7 @@ export class MotionServer {
   async #postures(options) {
     if (options.method === 'PUT') {
       this.#poses.write(POSES, asText(await bodyOf(options)));
+      return new Response('');
     }
     return new Response(asBytes(this.#poses.read(POSES) ?? ''));
   }

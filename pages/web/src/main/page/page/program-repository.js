@@ -1,19 +1,16 @@
 /** The user's programs and their unsaved drafts. */
-import { freeName } from '../state/program/documents.js';
+import { freeName, isProgramPath } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
 import { BrowserRepository } from './browser-repository.js';
 
 /** @typedef {{path: string, before: string}} Shared a program opened from a link, and the one that was open before */
 
 const SHARED_NAME = 'Shared.java';
-const CLASS_FILE = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
-/** Reserved device names on Windows. */
-const DEVICE = /^(con|prn|aux|nul|(com|lpt)\d)\./i;
 
 /** @param {string} path path from a link @returns {string} a valid program name without folders */
 function plainName(path) {
   const name = fileName(path.replaceAll('\\', '/'));
-  return CLASS_FILE.test(name) && !DEVICE.test(name) ? name : SHARED_NAME;
+  return isProgramPath(name) ? name : SHARED_NAME;
 }
 
 export class ProgramRepository {

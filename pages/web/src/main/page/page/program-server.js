@@ -1,5 +1,6 @@
 /** Local replacement for the program server: the user's files, the compiler of the page, and the running program. */
 import { decodeText } from '../state/decoded-text.js';
+import { isProgramPath } from '../state/program/documents.js';
 import { versionOf } from './browser-repository.js';
 import { insteadOfMissing } from './missing-classes.js';
 import { publicClass } from './project.js';
@@ -23,10 +24,12 @@ const EXAMPLES = [
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
-/** @param {string} text text of an example @param {string} name @returns {string} the example as the user's program */
-function renamed(text, name) {
+/** @param {Response} example @param {string} name @returns {Promise<Response>} the example as the user's program */
+async function renamed(example, name) {
+  const text = await example.text();
   const [, old = name] = /public (?:final )?class (\w+)/.exec(text) ?? [];
-  return text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
+  const own = text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
+  return new Response(own, { status: example.status });
 }
 
 export class ProgramServer {
@@ -77,6 +80,10 @@ export class ProgramServer {
     const wish = new URLSearchParams(search);
     const body = decodeText(new Uint8Array(await new Response(options.body).arrayBuffer())).content;
     const known = new Headers(options.headers).get('Known-Version') ?? '';
+    if (['own', 'draft', 'history'].includes(kind) && !isProgramPath(name)) {
+      const refusal = `"${name}" is not a valid program name. Use letters, digits and _, such as MyAgent.java.`;
+      return new Response(refusal, { status: 400 });
+    }
     switch (`${options.method ?? 'GET'} ${kind}`) {
       case 'GET ':
         return Response.json({
@@ -91,9 +98,9 @@ export class ProgramServer {
       case 'GET draft':
         return file(this.#repository.read(kind === 'own' ? 'own' : 'draft', name), name);
       case 'GET example':
-        return new Response(await template(name));
+        return template(name);
       case 'GET new':
-        return new Response(renamed(await template(wish.get('example')), className(name)));
+        return renamed(await template(wish.get('example')), className(name));
       case 'GET history':
         return new Response(await this.histories.read(name));
       case 'PUT history':
@@ -110,23 +117,17 @@ export class ProgramServer {
         return Response.json((await this.#compile(name, body)).remarks);
       case 'POST complete':
         return Response.json(await this.compiler.complete(this.#sources(name, body), Number(wish.get('at'))));
+      case 'POST run':
+        return Response.json(await this.#start(name, wish.get('world') === 'keep'));
+      case 'GET run':
+        return Response.json(this.#run);
+      case 'DELETE run':
+        this.world.postMessage({ stopProgram: true });
+        this.#run = { ...this.#run, state: 'STOPPED' };
+        return Response.json(this.#run);
       default:
-        return Response.json(
-          await this.#runs(`${options.method ?? 'GET'} ${kind}`, name, wish.get('world') === 'keep'),
-        );
+        return new Response('Unknown request. Reload the page.', { status: 404 });
     }
-  }
-
-  /** @param {string} order @param {string} name @param {boolean} keep whether to keep the world */
-  async #runs(order, name, keep) {
-    if (order === 'POST run') {
-      return this.#start(name, keep);
-    }
-    if (order === 'DELETE run') {
-      this.world.postMessage({ stopProgram: true });
-      this.#run = { ...this.#run, state: 'STOPPED' };
-    }
-    return this.#run;
   }
 
   /** @param {string} path path of a saved program @returns {Promise<Int8Array[]>} its classes */
@@ -173,13 +174,10 @@ export class ProgramServer {
   }
 }
 
-/** @param {string | null} name name of an example; null or empty for a minimal program @returns {Promise<string>} its source */
+/** @param {string | null} name name of an example; null or empty for a minimal program @returns {Promise<Response>} its source */
 async function template(name) {
   const answer = await fetch(`examples/${name ? `${name}.java` : 'NewProgram.java.txt'}`);
-  if (!answer.ok) {
-    throw new Error(`The page has no example ${name}.`);
-  }
-  return answer.text();
+  return answer.ok ? answer : new Response(`There is no program "${name}".`, { status: 404 });
 }
 
 /** @param {string | null} text @param {string} name */

@@ -94,7 +94,7 @@ final class OptimiseCommand implements Callable<Integer> {
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Seed of candidates and trials (default: 1).")
+            description = "Seed for candidates and trials (default: 1).")
     private long seed;
 
     @Option(

@@ -23,7 +23,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     /** The default team. */
     public static final String TEAM = "Students";
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public RobotStart {
         prelude = List.copyOf(prelude);
     }

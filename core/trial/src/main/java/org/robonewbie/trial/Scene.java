@@ -26,7 +26,7 @@ public record Scene(
         List<RobotStart> robots,
         Optional<Vector3> ball) {
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public Scene {
         robots = List.copyOf(robots);
         if (robots.isEmpty()) {

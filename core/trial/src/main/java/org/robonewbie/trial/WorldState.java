@@ -31,7 +31,7 @@ public record WorldState(
         int leftGoals,
         int rightGoals) {
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public WorldState {
         robots = List.copyOf(robots);
         things = List.copyOf(things);

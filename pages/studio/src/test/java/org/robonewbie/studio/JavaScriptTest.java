@@ -57,6 +57,7 @@ class JavaScriptTest {
         run(folder, List.of(node.toString(), "src/test/javascript/all.js"));
     }
 
+    @Tag("slow")
     @Test
     void scriptsPassTheTypeCheck(@TempDir Path folder) throws Exception {
         run(folder, nodeTool("typescript/bin/tsc", "--project", "jsconfig.json"));

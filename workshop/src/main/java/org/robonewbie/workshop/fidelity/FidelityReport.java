@@ -42,7 +42,7 @@ public record FidelityReport(List<RecordingFidelity> recordings, List<String> pr
         }
     }
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public FidelityReport {
         recordings = List.copyOf(recordings);
         problems = List.copyOf(problems);

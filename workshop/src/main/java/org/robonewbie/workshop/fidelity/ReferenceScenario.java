@@ -21,7 +21,7 @@ public record ReferenceScenario(String name, String description, List<String> co
 
     private static final int CYCLES_OF_REST = 5;
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public ReferenceScenario {
         commands = List.copyOf(commands);
         balls = List.copyOf(balls);

@@ -14,7 +14,7 @@ import java.util.stream.LongStream;
  */
 public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public CheckResult {
         outcomes = List.copyOf(outcomes);
     }

@@ -24,7 +24,7 @@ public record BenchmarkPlan(
         int threads,
         Optional<ServerAddress> other) {
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public BenchmarkPlan {
         robots = List.copyOf(robots);
         scenes = List.copyOf(scenes);

@@ -34,7 +34,7 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     private static final Map<Integer, Double> MILLIS_OF_THE_ORIGINAL =
             Map.of(1, 0.45, 2, 0.9, 6, 2.75, 11, 5.5, 22, 14.4);
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public BenchmarkReport {
         runs = List.copyOf(runs);
     }

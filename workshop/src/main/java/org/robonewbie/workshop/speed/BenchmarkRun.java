@@ -27,7 +27,7 @@ public record BenchmarkRun(
         long peakMemoryBytes,
         List<HeapSample> heap) {
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public BenchmarkRun {
         heap = List.copyOf(heap);
     }

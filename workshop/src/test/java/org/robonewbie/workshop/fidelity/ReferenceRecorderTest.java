@@ -115,20 +115,6 @@ class ReferenceRecorderTest {
         }
     }
 
-    /** Our server tells monitors what they ask for even then, since it waits for the robot in each cycle. */
-    @Tag("slow")
-    @Test
-    void ourServerIsRecordedExactlyEvenIfItTellsMonitorsLessOften() throws IOException {
-        try (Simulator simulator = start(exactServer(), 0.04)) {
-            recorder(simulator, 0).record(List.of(scenario("d_fall_front")), directory);
-        }
-
-        RecordingFidelity result =
-                FidelityBench.run(directory, AgentRoute.NONE).recordings().get(0);
-
-        assertThat(result.torsoMaxMetres().orElseThrow()).isLessThan(2e-5);
-    }
-
     @Test
     void buildsAreToldApartEvenIfTheHeaderDoesNotNameThem() throws IOException {
         ReferenceScenario fall = scenario("d_fall_front");

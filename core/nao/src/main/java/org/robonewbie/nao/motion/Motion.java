@@ -16,7 +16,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public record Motion(String name, List<Keyframe> keyframes) {
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public Motion {
         keyframes = List.copyOf(keyframes);
     }

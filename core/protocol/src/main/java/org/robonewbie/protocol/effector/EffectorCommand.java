@@ -20,7 +20,7 @@ public sealed interface EffectorCommand {
         /** The scene file with the robot type as its parameter. */
         public static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
 
-        /** Copies the list. */
+        /** Stores an unmodifiable copy of the list. */
         public CreateRobot {
             parameters = List.copyOf(parameters);
         }

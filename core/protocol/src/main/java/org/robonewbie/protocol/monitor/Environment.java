@@ -22,7 +22,7 @@ public record Environment(List<Measure> measures, List<String> playModes) {
      */
     public record Measure(String name, double value) {}
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public Environment {
         measures = List.copyOf(measures);
         playModes = List.copyOf(playModes);

@@ -41,7 +41,7 @@ public record PerceptorMessage(
             FootForces.NONE,
             Optional.empty());
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public PerceptorMessage {
         heard = List.copyOf(heard);
     }

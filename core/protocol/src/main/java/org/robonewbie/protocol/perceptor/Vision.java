@@ -34,7 +34,7 @@ public record Vision(
     /** A vision percept without any objects. */
     public static final Vision NOTHING = of(List.of(), Optional.empty(), List.of(), List.of());
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public Vision {
         landmarks = List.copyOf(landmarks);
         players = List.copyOf(players);
@@ -75,7 +75,7 @@ public record Vision(
      */
     public record SeenPlayer(String team, int number, List<SeenBodyPart> parts, Optional<PolarPosition> position) {
 
-        /** Copies the list. */
+        /** Stores an unmodifiable copy of the list. */
         public SeenPlayer {
             parts = List.copyOf(parts);
         }

@@ -31,7 +31,7 @@ public sealed interface TelemetryItem {
      */
     record Belief(List<BelievedThing> things, Optional<Pose2d> self) implements TelemetryItem {
 
-        /** Copies the list. */
+        /** Stores an unmodifiable copy of the list. */
         public Belief {
             things = List.copyOf(things);
         }
@@ -44,7 +44,7 @@ public sealed interface TelemetryItem {
      */
     record Picture(List<Drawing> drawings) implements TelemetryItem {
 
-        /** Copies the list. */
+        /** Stores an unmodifiable copy of the list. */
         public Picture {
             drawings = List.copyOf(drawings);
         }

@@ -83,7 +83,7 @@ public final class AgentSession {
         return new Body(id, robot.orElseThrow(), camera);
     }
 
-    /** Swaps the robot before the agent joins a team. */
+    /** Replaces the robot. Call only before the agent has joined a team. */
     void setBody(Body body) {
         id = body.id();
         robot = Optional.of(body.robot());
@@ -214,7 +214,7 @@ public final class AgentSession {
                 + connection.link().address() + ")";
     }
 
-    /** Returns the messages of the last cycle. */
+    /** Returns the messages that were exchanged in the given cycle, which must be the latest. */
     AgentMessages messages(long cycle) {
         return new AgentMessages(
                 id(),

@@ -9,6 +9,6 @@ public interface HostProgram {
     /** {@return whether its robots are on the pitch} */
     boolean isRunning();
 
-    /** Removes its robots from the pitch. The simulator then runs until it ends or the process is terminated. */
+    /** Removes the program's robots from the pitch; the simulator goes on without them. */
     void end();
 }

@@ -11,7 +11,7 @@ import java.util.List;
  */
 public record Entrant(String team, Role role, List<StartPlace> places) {
 
-    /** Copies the list of start poses. */
+    /** Stores an unmodifiable copy of the list of start poses. */
     public Entrant {
         places = List.copyOf(places);
     }

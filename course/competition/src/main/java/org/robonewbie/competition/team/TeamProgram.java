@@ -138,7 +138,7 @@ public sealed interface TeamProgram {
             String fingerprint)
             implements TeamProgram {
 
-        /** Copies the collections. */
+        /** Stores unmodifiable copies of the collections. */
         public OfJava {
             classPath = List.copyOf(classPath);
             mainClasses = Map.copyOf(mainClasses);

@@ -95,6 +95,7 @@ class AttacksTest {
         }
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource
     void nothingThatAProgramStartedSurvivesItsTrial(Ground ground) throws Exception {
@@ -209,6 +210,7 @@ class AttacksTest {
         }
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(names = "FENCED")
     void everyFileSystemBehindTheFenceHasALimit(Ground ground) throws Exception {
@@ -247,6 +249,7 @@ class AttacksTest {
     }
 
     /** Python can call what Java 17 cannot. */
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(names = "FENCED")
     void memoryThatBelongsToNoProcessIsNotToBeHad(Ground ground) throws Exception {

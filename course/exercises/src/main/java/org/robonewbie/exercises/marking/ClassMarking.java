@@ -53,7 +53,7 @@ public record ClassMarking(
     private static final List<String> NESTED_TOO_DEEPLY =
             List.of("robonewbie: The compiler cannot read ", "The system is out of resources");
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public ClassMarking {
         sources = List.copyOf(sources);
         exercises = List.copyOf(exercises);

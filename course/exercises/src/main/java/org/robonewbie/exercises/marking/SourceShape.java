@@ -49,7 +49,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             Set.of("=", ";", ",", ")", "(", ":", "{", "extends", "implements");
     private static final Set<String> IGNORED_STATEMENTS = Set.of("import", "package");
 
-    /** Copies the collections. */
+    /** Stores unmodifiable copies of the collections. */
     SourceShape {
         runs = Collections.unmodifiableSet(new HashSet<>(runs));
         numbers = List.copyOf(numbers);

@@ -81,9 +81,7 @@ public final class Hints {
             return place.strip();
         }
 
-        /**
-         * Returns whether the diagnostic is about an unknown variable, which the compiler also mistakes for a package.
-         */
+        /** Returns whether the diagnostic is about an unknown variable, including one that the compiler took for a package. */
         private boolean isUnknownVariable() {
             return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
         }

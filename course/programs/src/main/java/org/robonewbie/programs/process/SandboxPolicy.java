@@ -21,7 +21,7 @@ public record SandboxPolicy(
         Optional<Path> door,
         Optional<Path> written) {
 
-    /** Copies the collections. */
+    /** Stores unmodifiable copies of the collections. */
     public SandboxPolicy {
         readable = List.copyOf(readable);
         hidden = List.copyOf(hidden);

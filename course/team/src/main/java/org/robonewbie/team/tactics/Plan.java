@@ -28,7 +28,7 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
         FAR_KICK,
         /** Waits behind the ball until the receiver is ready. */
         WAIT,
-        /** Keeps the goal. */
+        /** Guards the goal as the goalkeeper. */
         KEEP,
         /** Stands still. */
         STAND

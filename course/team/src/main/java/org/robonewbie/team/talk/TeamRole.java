@@ -2,7 +2,7 @@ package org.robonewbie.team.talk;
 
 /** A player's role in its team. */
 public enum TeamRole {
-    /** Keeps the goal; number 1 in a team of eight or more. */
+    /** Guards the goal; number 1 in a team of eight or more. */
     KEEPER("white"),
     /** Plays the ball; only one player at a time has this role. */
     STRIKER("red"),

@@ -13,7 +13,7 @@ import org.robonewbie.learning.search.AskAndTell;
  */
 public record SearchDistribution(double step, List<Double> middle, List<Double> spread) {
 
-    /** Copies the lists. */
+    /** Stores unmodifiable copies of the lists. */
     public SearchDistribution {
         middle = List.copyOf(middle);
         spread = List.copyOf(spread);

@@ -16,7 +16,7 @@ public record RolloutStatistics(List<Rollout> rollouts) {
     /** Header of a CSV table of statistics, without line terminator. */
     static final String COLUMNS = "episodes,cycles,reward,falls,speedError,turnError,successes";
 
-    /** Copies the list. */
+    /** Stores an unmodifiable copy of the list. */
     public RolloutStatistics {
         rollouts = List.copyOf(rollouts);
     }

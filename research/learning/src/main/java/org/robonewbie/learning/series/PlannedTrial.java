@@ -18,7 +18,7 @@ public record PlannedTrial(
 
     private static final int MAX_ATTEMPTS = 3;
 
-    /** Copies the parameters. */
+    /** Stores unmodifiable copies of the parameters. */
     public PlannedTrial {
         parameters = new LinkedHashMap<>(parameters);
         texts = new LinkedHashMap<>(texts);

@@ -71,7 +71,7 @@ export function readCsv(text, body, start) {
     return { millis: Math.max(1, way), degrees };
   });
   const signs = columns.names.some((name) => columnOf('nao', name))
-    ? ['The columns have NAO’s joint names: angles were read as degrees with NAO’s own signs.']
+    ? ['The columns have NAO’s joint names: angles were read as degrees with NAO’s sign conventions.']
     : [];
   return { document, notes: [...signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }

@@ -27,7 +27,7 @@ export const ENDINGS = '.motion,.mef,.txt,.csv,.tsv';
 export const FORMATS = [
   {
     id: 'webots',
-    name: 'Webots, Choregraphe (.motion): radians with NAO’s own signs',
+    name: 'Webots, Choregraphe (.motion): radians with NAO’s sign conventions',
     ending: '.motion',
     write: (document) => writeWebots(keyframesOf(document), 'nao'),
   },

@@ -117,7 +117,7 @@ export function readWebots(text, body, start) {
   const found = outOfRange(nao.document, body) <= outOfRange(original.document, body) ? nao : original;
   const signs =
     found.reading === 'nao'
-      ? 'Angles were read with NAO’s own signs, as Webots writes them.'
+      ? 'Angles were read with NAO’s sign conventions, as Webots writes them.'
       : 'Angles were read with the signs of the original motion editor.';
   const { document, columns, remarks } = found;
   return { document, notes: [signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };

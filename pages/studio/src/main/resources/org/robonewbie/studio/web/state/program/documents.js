@@ -18,8 +18,12 @@
  * @typedef {import('../course.js').Lesson} Lesson
  */
 import { UTF_8 } from '../decoded-text.js';
+import { nameProblem } from '../file-name.js';
 import { commonLines } from './line-diff.js';
 import { fileName } from './remarks.js';
+
+/** Folders and the name of a class. */
+const PROGRAM_PATH = /^(?:[\p{L}_][\p{L}\p{N}_-]{0,79}\/){0,12}[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
 
 /** Storage key of the program opened last. */
 export const LAST_PROGRAM = 'robonewbie-program';
@@ -95,6 +99,11 @@ export function programAt(hash) {
 /** @param {string} name user input @returns {string} name of a Java file */
 export function javaName(name) {
   return name.trim().endsWith('.java') ? name.trim() : `${name.trim()}.java`;
+}
+
+/** @param {string} path @returns {boolean} whether a program can have this path; the rule is that of the Java class ProgramFolder */
+export function isProgramPath(path) {
+  return PROGRAM_PATH.test(path) && path.split('/').every((part) => nameProblem(part) === '');
 }
 
 /** @param {string} name class name typed by the user @returns {string} its problem; empty if it is valid */
