@@ -1,6 +1,6 @@
 /**
  * Runs the tests of a folder in one process, so that all share one browser and one Java process: `node src/test/pages/all.js rooms`.
- * The environment variable TESTS chooses `quick` or `slow` ones, PATIENCE the seconds for which a user waits (60); further words on the
+ * The environment variable TESTS chooses `quick` or `slow` ones or those for a `picture` of the documentation, PATIENCE the seconds for which a user waits (60); further words on the
  * command line choose files.
  */
 import { readdirSync } from 'node:fs';

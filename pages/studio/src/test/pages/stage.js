@@ -68,8 +68,10 @@ export async function folderWith(t, files = {}) {
  *
  * @typedef {{ side?: 'LEFT' | 'RIGHT', number?: number, type?: number, x?: number, y?: number, heading?: number,
  *   posture?: Record<string, number> }} Robot one of the left team comes first; the posture has degrees by names of joints
- * @typedef {{ robots?: Robot[], isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
- *   recordings?: string[] }} World `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall
+ * @typedef {{ robots?: Robot[], isPlaying?: boolean, isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
+ *   recordings?: string[], search?: object }} World `isPlaying` adds a robot of the team Stars that nods, raises an arm too fast and
+ *   shouts; `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall (those in its folder `project`
+ *   are of the student's project); `search` is the task of an optimisation, shown instead of the course
  */
 
 /**
@@ -81,7 +83,7 @@ export async function folderWith(t, files = {}) {
  */
 export async function openStage(t, folder, world) {
   const { ask } = (shared ??= startStage());
-  const { id } = await ask({ do: 'open', folder, ...world });
+  const { id, drawingPort } = await ask({ do: 'open', folder, ...world });
   let closing;
   const close = () => (closing ??= ask({ do: 'close', id }));
   atEnd(t, close);
@@ -106,6 +108,12 @@ export async function openStage(t, folder, world) {
 
     /** Starts another simulator with a studio at the same address, after the end of the first. */
     restart: (other) => ask({ do: 'restart', id, folder, ...other }),
+
+    /** UDP port for drawings in the protocol of RoboViz. */
+    drawingPort,
+
+    /** Publishes news of the optimisation, see StagedSearch.java, and returns whether a page shows it. */
+    search: async (news = {}) => (await ask({ do: 'search', id, news })).isWatched,
 
     close,
   };

@@ -10,9 +10,12 @@ export const quick = tests('quick');
 /** Defines a test that takes longer or varies a quick one. */
 export const slow = tests('slow');
 
-function tests(kind) {
+/** Defines a slow test that takes a picture for the documentation, which has the name of its file in `docs/images`. */
+export const picture = tests('slow', 'picture');
+
+function tests(...kinds) {
   return (title, body) => {
-    if (chosen === 'all' || chosen === kind) {
+    if (chosen === 'all' || kinds.includes(chosen)) {
       test(title, { timeout: LIMIT_MILLIS }, body);
     }
   };

@@ -115,6 +115,13 @@ class User {
     await this.#waitsForTheRoom();
   }
 
+  /** Follows a link to another place of the page, such as `#replay/game@2`. */
+  async follows(fragment) {
+    await this.page.evaluate((to) => {
+      location.hash = to;
+    }, fragment);
+  }
+
   async #waitsForTheRoom() {
     await this.page.waitForSelector('[aria-busy="true"]', { hidden: true });
   }

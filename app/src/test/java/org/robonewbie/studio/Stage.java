@@ -53,7 +53,7 @@ final class Stage {
         if (request.get("do").getAsString().equals("open")) {
             opened++;
             studios.put(opened, new StagedStudio(request));
-            return Map.of("id", opened);
+            return Map.of("id", opened, "drawingPort", studios.get(opened).drawingPort());
         }
         int id = request.get("id").getAsInt();
         StagedStudio studio = studios.get(id);
@@ -80,6 +80,7 @@ final class Stage {
                 studios.put(id, studio.restarted(request));
                 yield Map.of();
             }
+            case "search" -> studio.search().answer(request.getAsJsonObject("news"));
             case "close" -> {
                 studios.remove(id);
                 studio.close();

@@ -4,6 +4,7 @@ import com.google.gson.Gson;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -28,6 +29,7 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.MatchEvent;
+import org.robonewbie.studio.roboviz.RoboVizPort;
 
 /** A studio with all rooms, as {@code robonewbie studio} opens it, whose programs, motions, recordings and progress lie in one folder. */
 final class StagedStudio implements AutoCloseable {
@@ -40,6 +42,8 @@ final class StagedStudio implements AutoCloseable {
     private final TelemetryServer telemetry;
     private final StudioServer studio;
     private final AccessToken token;
+    private final RoboVizPort drawings;
+    private final Optional<StagedSearch> search;
 
     /**
      * Opens the studio.
@@ -63,11 +67,16 @@ final class StagedStudio implements AutoCloseable {
         for (Robot robot : robots == null ? new Robot[0] : robots) {
             robot.joins(simulation);
         }
+        if (text(request, "isPlaying", "false").equals("true")) {
+            PlayingRobot.start(simulation.control().connect().orElseThrow());
+        }
         if (text(request, "isPaused", "false").equals("true")) {
             simulation.order(new Order.Pause());
         }
         for (String name : new Gson().fromJson(text(request, "recordings", "[]"), String[].class)) {
-            RecordedRun.write(folder.resolve(name + RecordingRepository.ENDING));
+            Path file = folder.resolve(name + RecordingRepository.ENDING);
+            Files.createDirectories(file.getParent());
+            RecordedRun.write(file);
         }
         ShownSimulation shown = new ShownSimulation(simulation.control());
         programs = new ProcessCompilerService(folder);
@@ -82,9 +91,13 @@ final class StagedStudio implements AutoCloseable {
                 folder,
                 folder.resolve("scenes"),
                 Optional.of(new RecordingRepository(folder, SHELF_BYTES)),
-                List.of(),
+                List.of(folder.resolve("project")),
                 Optional.empty());
-        studio = StudioServer.start(shown, port, token, folders, course::answer, programs);
+        search = Optional.ofNullable(request.get("search")).map(StagedSearch::new);
+        studio = search.isPresent()
+                ? StudioServer.start(shown, port, token, folders, search.map(StagedSearch::feed))
+                : StudioServer.start(shown, port, token, folders, course::answer, programs);
+        drawings = RoboVizPort.open(0, studio.drawings());
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulation.agentPort()), studio.telemetry());
     }
 
@@ -118,6 +131,11 @@ final class StagedStudio implements AutoCloseable {
         return studio.oneTimeAddress().toString();
     }
 
+    /** Returns the UDP port for drawings in the protocol of RoboViz. */
+    int drawingPort() {
+        return drawings.number();
+    }
+
     /** Tells the page what a robot's program would tell it. */
     void tell(String line) {
         studio.telemetry().accept(TelemetryLine.read(line).orElseThrow());
@@ -133,6 +151,11 @@ final class StagedStudio implements AutoCloseable {
         return new StagedStudio(request, studio.address().getPort(), token);
     }
 
+    /** Returns the optimisation that the studio shows instead of the course. */
+    StagedSearch search() {
+        return search.orElseThrow();
+    }
+
     /** Executes a command of the page that changes the world. */
     void order(String command) {
         StudioRequest request = StudioRequestReader.read(command);
@@ -144,6 +167,7 @@ final class StagedStudio implements AutoCloseable {
 
     @Override
     public void close() {
+        drawings.close();
         studio.close();
         programs.close();
         course.close();

@@ -14,13 +14,9 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 final class PlayingRobot implements AutoCloseable {
 
     private final Simulator simulator;
-    private final Thread program;
 
     private PlayingRobot(Simulator simulator) {
         this.simulator = simulator;
-        AgentLink link = simulator.connect();
-        program = new Thread(() -> play(link), "playing-robot");
-        program.setDaemon(true);
     }
 
     static PlayingRobot start() throws IOException {
@@ -33,8 +29,15 @@ final class PlayingRobot implements AutoCloseable {
                 .withAgentPort(0)
                 .withMonitors(new SimulatorSettings.Monitors(monitorPort, 0.04, true, Optional.empty()));
         PlayingRobot robot = new PlayingRobot(Simulator.start(settings, Console.silent()));
-        robot.program.start();
+        start(robot.simulator.connect());
         return robot;
+    }
+
+    /** Starts its program only, in another simulator. */
+    static void start(AgentLink link) {
+        Thread program = new Thread(() -> play(link), "playing-robot");
+        program.setDaemon(true);
+        program.start();
     }
 
     Simulator simulator() {

@@ -73,6 +73,8 @@ export class BookmarkList {
   /** @param {Bookmark} bookmark */
   #line({ seconds, note }) {
     const name = `${seconds.toFixed(2)} s`;
+    const quiet = (/** @type {string} */ text, /** @type {string} */ hint, /** @type {() => void} */ act) =>
+      button(text, hint, act, { class: 'quiet', 'aria-label': hint });
     return element(
       'li',
       {},
@@ -84,8 +86,8 @@ export class BookmarkList {
           class: 'bookmark-go',
         },
       ),
-      button('Link', `Copy a link to ${name}`, () => this.#copy(seconds), { class: 'quiet' }),
-      button('Delete', `Delete the bookmark at ${name}`, () => this.#remove({ seconds, note }), { class: 'quiet' }),
+      quiet('Link', `Copy a link to ${name}`, () => this.#copy(seconds)),
+      quiet('Delete', `Delete the bookmark at ${name}`, () => this.#remove({ seconds, note })),
     );
   }
 

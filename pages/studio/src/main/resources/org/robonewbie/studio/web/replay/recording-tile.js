@@ -39,10 +39,11 @@ export class RecordingTile {
     this.open = button('', `Open ${name}`, actions.open, { class: 'open' });
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
     this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
-    this.rename = button('Rename', `Rename ${name}`, () => this.#askName(), { class: 'quiet' });
-    this.remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
+    const named = (/** @type {string} */ verb) => ({ class: 'quiet', 'aria-label': `${verb} ${name}` });
+    this.rename = button('Rename', `Rename ${name}`, () => this.#askName(), named('Rename'));
+    this.remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, named('Delete'));
     this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, this.remove);
-    this.card = element('article', { 'data-recording': name }, this.open, this.tools);
+    this.card = element('article', { 'data-recording': name, 'aria-label': name }, this.open, this.tools);
     this.update(entry);
   }
 

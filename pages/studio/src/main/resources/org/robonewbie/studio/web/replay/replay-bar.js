@@ -81,11 +81,11 @@ export class ReplayBar {
       { class: 'replay-bar' },
       this.recording,
       this.name,
-      this.#key('event-before', '|◂', 'Previous event', '['),
-      this.#key('replay-back', '◂', 'One cycle back', '←'),
+      this.#sign('event-before', '|◂', 'Previous event', '['),
+      this.#sign('replay-back', '◂', 'One cycle back', '←'),
       this.play,
-      this.#key('replay-on', '▸', 'One cycle forward', '→'),
-      this.#key('event-next', '▸|', 'Next event', ']'),
+      this.#sign('replay-on', '▸', 'One cycle forward', '→'),
+      this.#sign('event-next', '▸|', 'Next event', ']'),
       this.loop,
       bookmarks.element,
       this.start,
@@ -104,6 +104,13 @@ export class ReplayBar {
   #key(id, name, hint, key) {
     const made = button(name, `${hint} (${key})`, () => this.actions.press(key), { id });
     this.keys.push(made);
+    return made;
+  }
+
+  /** Creates such a button that shows a sign. @param {string} id @param {string} sign @param {string} hint @param {string} key */
+  #sign(id, sign, hint, key) {
+    const made = this.#key(id, sign, hint, key);
+    made.ariaLabel = hint;
     return made;
   }
 }

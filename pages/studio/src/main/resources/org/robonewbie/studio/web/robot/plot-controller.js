@@ -146,6 +146,7 @@ export class PlotController {
     const key = values.join('\n');
     if (row.head.dataset.key !== key || !row.head.hasChildNodes()) {
       row.head.dataset.key = key;
+      row.head.parentElement?.setAttribute('aria-label', `Plot of ${row.names.join(', ') || 'nothing'}`);
       const hint = 'Remove this plot';
       const remove = button('×', hint, () => this.#remove(row), { class: 'quiet', 'aria-label': hint });
       const parts = values.map((text, i) => element('span', { class: `curve-name curve-${i % 6}` }, ...named(text)));
