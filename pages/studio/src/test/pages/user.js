@@ -38,15 +38,17 @@ export async function openStudio(t, options = {}) {
  * Opens the web edition on a fresh page.
  *
  * @param {import('node:test').TestContext} t
- * @param {{ to?: string, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object,
- *   before?: () => void }} options `to` is what follows the address of the folder, such as `#program`
+ * @param {{ to?: string, files?: Record<string, string>, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean,
+ *   browser?: object, inProfile?: boolean, before?: () => void }} options `to` is what follows the address of the folder, such as
+ *   `#program`; `files` are served before those of the page
  */
-export async function openWebEdition(t, { to = '', ...look } = {}) {
-  const server = await serve(t, WEB_EDITION);
+export async function openWebEdition(t, { to = '', files, ...look } = {}) {
+  const folder = await folderWith(t, files);
+  const server = await serve(t, folder, WEB_EDITION);
   const user = await newUser(t, look);
   const visit = (place = to) => user.visits(server.address + place);
   await visit();
-  return { server, user, visit };
+  return { folder, server, user, visit };
 }
 
 /** Opens an empty page for a user, of which the page must not complain until the test ends. */
@@ -160,6 +162,21 @@ class User {
     await editor.focus();
     await this.presses('Control+a');
     await editor.evaluate(paste, text);
+  }
+
+  /** Saves a file in the web edition without showing it, such as `programs/own/MyAgent.java` or `motions/bow`. */
+  async stores(path, text) {
+    await this.page.evaluate(
+      async (place, body) => {
+        const version = (await fetch(place)).headers.get('Version') ?? '';
+        const { ok, status } = await fetch(place, { method: 'PUT', headers: { 'Known-Version': version }, body });
+        if (!ok) {
+          throw new Error(`status ${status}`);
+        }
+      },
+      `api/${path}`,
+      text,
+    );
   }
 
   /** Types text where the focus is. */

@@ -1,6 +1,6 @@
 /** The web edition answers requests for files by the rules of the studio. */
 import assert from 'node:assert/strict';
-import { slow } from '../tests.js';
+import { quick } from '../tests.js';
 import { openStudio, openWebEdition } from '../user.js';
 
 const PROGRAM = 'public class Ada {}\n';
@@ -67,7 +67,7 @@ async function answers({ user }) {
   }, FILES);
 }
 
-slow('requests for programs and motions have the same results', async (t) => {
+quick('requests for programs and motions have the same results', async (t) => {
   const studio = await answers(await openStudio(t, { room: 'program' }));
   const page = await answers(await openWebEdition(t, { to: '#program' }));
 

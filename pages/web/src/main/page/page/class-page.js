@@ -88,7 +88,7 @@ class ClassPage {
   /** @param {Received[]} found */
   async #add(found) {
     const known = new Set(this.#received.map((each) => JSON.stringify(each)));
-    this.#received.push(...found.filter((each) => !known.has(JSON.stringify(each))));
+    this.#received = [...this.#received, ...found.filter((each) => !known.has(JSON.stringify(each)))];
     await this.#list();
   }
 
@@ -100,8 +100,12 @@ class ClassPage {
   }
 
   async #list() {
+    const received = this.#received;
     const before = this.#listed?.seeds;
-    const listed = /** @type {Listed} */ (await this.#worker.call('programs', { received: this.#received }));
+    const listed = /** @type {Listed} */ (await this.#worker.call('programs', { received }));
+    if (received !== this.#received) {
+      return; // what was added or removed in the meantime is listed by another call
+    }
     this.#listed = listed;
     const { students, senders, programs, seeds } = listed;
     if (seeds !== before) {
@@ -109,11 +113,11 @@ class ClassPage {
     }
     setText(
       byId('class-count'),
-      this.#received.length === 0
+      received.length === 0
         ? ''
         : `${counted(students.length, 'student')}, ${counted(programs.length, 'program')}`,
     );
-    const entries = this.#received.map((received, index) => ({ received, student: senders[index] }));
+    const entries = received.map((each, index) => ({ received: each, student: senders[index] }));
     const known = entries.filter(({ student }) => student !== '');
     const unreadable = entries.filter(({ student }) => student === '');
     known.sort((first, second) => first.student.localeCompare(second.student));
@@ -122,7 +126,7 @@ class ClassPage {
     document
       .querySelector('#class-unreadable ul')
       ?.replaceChildren(...unreadable.map((entry) => this.#entry(entry, listed)));
-    this.#grade.disabled = this.#received.length === 0;
+    this.#grade.disabled = received.length === 0;
   }
 
   /** @param {{received: Received, student: string}} entry @param {Listed} listed */
@@ -135,7 +139,10 @@ class ClassPage {
         ? `${student} (${source}): not graded.`
         : `${student}: ${counted(count, 'program')}.`;
     const words = student === '' ? `${source}: ${trouble}` : `${graded} ${trouble}`;
-    const remove = button('Remove', `Removes ${source}`, () => this.#remove(received), { class: 'quiet' });
+    const remove = button('Remove', `Removes ${source}`, () => this.#remove(received), {
+      class: 'quiet',
+      'aria-label': `Remove ${source}`,
+    });
     return element('li', { 'data-trouble': String(trouble !== '') }, words, remove);
   }
 

@@ -22,8 +22,8 @@ final class NodeTool {
         return path;
     }
 
-    /** The root of the project, above the folder of the module in which Maven runs a test. */
-    private static Path project() {
+    /** Returns the root of the project, above the folder of the module in which Maven runs a test. */
+    static Path project() {
         return Stream.iterate(Path.of("").toAbsolutePath(), Objects::nonNull, Path::getParent)
                 .filter(folder -> Files.exists(folder.resolve("mvnw")))
                 .findFirst()

@@ -215,6 +215,7 @@ export class PuppetPanel {
       max: String(maxDegrees),
       step: '1',
       'data-joint': joint,
+      'aria-label': joint.toLowerCase().replaceAll('_', ' '),
     });
     input.addEventListener('input', () => this.#order({ do: 'hold', joint, degrees: Number(input.value) }));
     input.addEventListener('pointerup', () => input.blur());
