@@ -1,5 +1,6 @@
 /** Studios for the tests, which run in one Java process. */
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { delimiter, dirname, join } from 'node:path';
@@ -45,6 +46,33 @@ function startStage() {
     return answer;
   }
   return { process, ask };
+}
+
+/**
+ * Starts a command that opens a studio of its own, such as `run MyRobot.java`, until the test ends.
+ *
+ * @param {import('node:test').TestContext} t
+ * @param {string} folder its working directory
+ * @param {...string} words the command and its arguments
+ * @returns {Promise<string>} the address of the page, which works once
+ */
+export async function startCommand(t, folder, ...words) {
+  const command = [...JAVA, 'org.robonewbie.app.Main', ...words, '--no-browser'];
+  const env = { ...process.env, ROBONEWBIE_RECORDINGS: 'off' };
+  const started = spawn('java', command, { cwd: folder, env, stdio: ['ignore', 'pipe', 'inherit'] });
+  const ended = once(started, 'close');
+  atEnd(t, async () => {
+    started.kill('SIGKILL');
+    await ended;
+  });
+  for await (const line of createInterface({ input: started.stdout })) {
+    const [, address] = /Watch it at (\S+)/.exec(line) ?? [];
+    if (address) {
+      started.stdout.resume();
+      return address;
+    }
+  }
+  throw new Error(`${words.join(' ')} has ended without an address.`);
 }
 
 /**

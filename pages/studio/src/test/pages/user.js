@@ -10,7 +10,8 @@ import { serve } from './static-server.js';
 import { atEnd } from './tests.js';
 
 const WEB_EDITION = process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
-const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
+/** Name of the text field with the program in the Program room. */
+export const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
 const POLL_MILLIS = 25;
 const PATIENCE_SECONDS = Number(process.env.PATIENCE ?? 60);
 

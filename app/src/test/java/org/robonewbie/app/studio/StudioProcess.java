@@ -17,7 +17,7 @@ import org.robonewbie.studio.StudioCookie;
 /** A studio in its own process, started as by a user, and a client for its API. */
 public final class StudioProcess implements AutoCloseable {
 
-    private static final Pattern ADDRESS = Pattern.compile("(?:Studio: |Watch it at )(\\S+)");
+    private static final Pattern ADDRESS = Pattern.compile("Studio: (\\S+)");
 
     private final Process process;
     private final URI address;
@@ -30,12 +30,8 @@ public final class StudioProcess implements AutoCloseable {
 
     /** Starts the studio in a working directory. */
     public static StudioProcess start(Path folder) throws IOException {
-        return start(folder, "studio", "--no-browser", "--agent-port", "0");
-    }
-
-    /** Starts a command that opens a studio in a working directory. */
-    public static StudioProcess start(Path folder, String... command) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(JavaCommand.ofCommand(List.of(command)))
+        List<String> command = List.of("studio", "--no-browser", "--agent-port", "0");
+        ProcessBuilder builder = new ProcessBuilder(JavaCommand.ofCommand(command))
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
@@ -48,11 +44,6 @@ public final class StudioProcess implements AutoCloseable {
             }
         }
         throw new IOException("The studio exited without printing an address.");
-    }
-
-    /** Returns the address that signs in one client: a browser, or {@link #ask}. */
-    public URI oneTimeAddress() {
-        return address;
     }
 
     /** Sends a request and returns the complete response. */

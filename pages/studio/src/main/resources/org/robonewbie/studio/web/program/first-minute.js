@@ -35,7 +35,7 @@ export class FirstMinute {
     const control = (/** @type {() => Promise<void>} */ action, /** @type {Record<string, string>} */ attributes) =>
       button('', '', () => room.attempt(action), attributes);
     this.count = element('span', { class: 'first-minute-count' });
-    this.title = element('h2', {});
+    this.title = element('h2', { id: 'first-minute-title' });
     this.speak = control(() => this.#speak(), { class: 'quiet', id: 'first-minute-language' });
     this.skip = control(() => this.#leave(), { class: 'quiet', id: 'first-minute-skip' });
     this.goal = element('p', {});
@@ -43,7 +43,8 @@ export class FirstMinute {
     this.next = control(() => this.#goOn(), { class: 'primary first-minute-here', id: 'first-minute-next' });
     const head = element('div', { class: 'first-minute-head' }, this.count, this.title, this.speak, this.skip);
     const foot = element('div', { class: 'first-minute-foot' }, this.status, this.next);
-    this.place = element('section', { id: 'first-minute', hidden: '' }, head, this.goal, foot);
+    const named = { id: 'first-minute', 'aria-labelledby': this.title.id, hidden: '' };
+    this.place = element('section', named, head, this.goal, foot);
     room.notes.prepend(this.place);
   }
 
