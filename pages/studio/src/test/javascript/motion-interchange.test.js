@@ -91,7 +91,7 @@ withBody('the sign convention of a Webots file is detected by the joint ranges',
   ]);
   const second = read('theirs.motion', original);
   assert.ok(Math.abs(keyframesOf(second.document)[0].degrees[knee] + 68.755) < 1e-3);
-  assert.match(second.notes[0], /signs of the original motion editor/);
+  assert.match(second.notes[0], /sign conventions of the original motion editor/);
 });
 
 withBody('unreadable rows are kept with a message and their line number', () => {

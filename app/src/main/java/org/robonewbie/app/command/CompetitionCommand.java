@@ -116,7 +116,7 @@ final class CompetitionCommand implements Callable<Integer> {
     @Option(
             names = "--parallel",
             paramLabel = "N",
-            description = "Trials that run in parallel (default: one per processor).")
+            description = "Number of trials to run in parallel (default: one per processor).")
     private Optional<Integer> parallel = Optional.empty();
 
     @Option(

@@ -53,7 +53,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      * Changes the robot type.
      *
      * @param other the robot type
-     * @return a changed copy
+     * @return a modified copy
      */
     public RobotStart withType(RobotType other) {
         return new RobotStart(team, number, other, place, prelude);
@@ -64,7 +64,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      *
      * @param newTeam name of the team
      * @param newNumber 1 to 11
-     * @return a changed copy
+     * @return a modified copy
      */
     public RobotStart withTeam(String newTeam, int newNumber) {
         return new RobotStart(newTeam, newNumber, type, place, prelude);
@@ -74,7 +74,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      * Sets the motions that the robot plays before the trial starts.
      *
      * @param motions the motions in order
-     * @return a changed copy
+     * @return a modified copy
      */
     public RobotStart after(Motion... motions) {
         return new RobotStart(team, number, type, place, List.of(motions));
@@ -84,7 +84,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      * Sets the built-in motions that the robot plays before the trial starts.
      *
      * @param motions names such as {@code stand}
-     * @return a changed copy
+     * @return a modified copy
      * @throws IllegalArgumentException if a motion does not exist
      */
     public RobotStart after(String... motions) {

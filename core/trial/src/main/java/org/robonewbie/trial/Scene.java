@@ -49,7 +49,7 @@ public record Scene(
      *
      * @param x metres from the centre towards the right goal
      * @param y metres from the centre to the left
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withBall(double x, double y) {
         return withBall(new Vector3(x, y, 0));
@@ -59,7 +59,7 @@ public record Scene(
      * Moves the ball.
      *
      * @param place its position, whose height is ignored
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withBall(Vector3 place) {
         return new Scene(parameters, noise, landscape, robots, Optional.of(place));
@@ -69,7 +69,7 @@ public record Scene(
      * Changes the pitch and the rules.
      *
      * @param other the parameters
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withParameters(SoccerParameters other) {
         return new Scene(other, noise, landscape, robots, ball);
@@ -79,7 +79,7 @@ public record Scene(
      * Changes the objects on the pitch.
      *
      * @param other the new landscape
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withLandscape(Landscape other) {
         return new Scene(parameters, noise, other, robots, ball);
@@ -88,7 +88,7 @@ public record Scene(
     /**
      * Disables camera noise.
      *
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withoutNoise() {
         return new Scene(parameters, false, landscape, robots, ball);
@@ -98,7 +98,7 @@ public record Scene(
      * Renames the team {@link RobotStart#TEAM}.
      *
      * @param name the new name
-     * @return a changed copy
+     * @return a modified copy
      */
     public Scene withTeam(String name) {
         List<RobotStart> named = robots.stream()

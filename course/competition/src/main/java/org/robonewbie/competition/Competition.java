@@ -51,7 +51,7 @@ public final class Competition {
     private int planned;
 
     /**
-     * Creates a runner.
+     * Creates a competition.
      *
      * @param contest the contest
      * @param teams participating teams

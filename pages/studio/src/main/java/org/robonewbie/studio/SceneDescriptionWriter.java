@@ -97,7 +97,7 @@ final class SceneDescriptionWriter {
                 .toString();
     }
 
-    /** Writes a message from the simulator to the user. */
+    /** Returns the JSON message that shows the user a notice from the simulator. */
     static String notice(String sentence) {
         return Json.object("kind", "told", "text", sentence).toString();
     }

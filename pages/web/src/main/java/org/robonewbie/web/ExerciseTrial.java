@@ -19,7 +19,7 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.TrialListener;
 
-/** One trial of an exercise, judged as by {@code robonewbie grade}. The user cannot move the robots or the ball. */
+/** One trial of an exercise, graded in the same way as by {@code robonewbie grade}. The user cannot move the robots or the ball. */
 final class ExerciseTrial implements SteppedWorld {
 
     private final Task task;

@@ -26,7 +26,7 @@ final class PageCourse implements CourseHost, ProgressStore {
 
     private final CourseService service;
     private Starter starter = (exercise, id, trials, judged) -> {
-        throw new IllegalArgumentException("The page must start attempts in the other program.");
+        throw new IllegalArgumentException("Attempts that use the other program are started by the page.");
     };
     private ServiceRequest request = new ServiceRequest(new JsonObject());
     private Progress progress = new Progress(Map.of());

@@ -178,7 +178,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
 
         private UnreadableFileException tooMuch(String limit) {
             return new UnreadableFileException("The folder " + PrintableText.of(root.toString())
-                    + " contains more than " + limit + ". Name a folder that contains only the program.");
+                    + " contains more than " + limit + ". Choose a folder that contains only the program.");
         }
     }
 }

@@ -68,7 +68,7 @@ public final class StateReader {
         return value;
     }
 
-    /** {@return the next double, with all its bits} */
+    /** {@return the next double, bit for bit as it was written} */
     public double getDouble() {
         return Double.longBitsToDouble(getLong());
     }

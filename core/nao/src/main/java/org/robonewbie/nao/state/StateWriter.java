@@ -54,7 +54,7 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a double with all its bits.
+     * Appends a double, which is restored bit for bit.
      *
      * @param value the value
      */

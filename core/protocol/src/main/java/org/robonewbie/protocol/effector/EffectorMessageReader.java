@@ -168,7 +168,7 @@ public final class EffectorMessageReader {
         return true;
     }
 
-    /** Delivers a command if its list is complete. */
+    /** Passes on a command if its closing parenthesis has been read. */
     private void finish(EffectorCommand command) {
         reader.skipTo(0);
         if (reader.token() == Token.CLOSE) {

@@ -48,7 +48,7 @@ public record WorldSettings(
      * Changes the pitch and the rules.
      *
      * @param value the new parameters
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withParameters(SoccerParameters value) {
         return new WorldSettings(value, synchronous, camera, landscape, seed);
@@ -58,7 +58,7 @@ public record WorldSettings(
      * Selects sync mode or real time.
      *
      * @param value whether each cycle waits for all agents
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withSynchronous(boolean value) {
         return new WorldSettings(parameters, value, camera, landscape, seed);
@@ -68,7 +68,7 @@ public record WorldSettings(
      * Changes the cameras.
      *
      * @param value settings of all cameras
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withCamera(CameraSettings value) {
         return new WorldSettings(parameters, synchronous, value, landscape, seed);
@@ -78,7 +78,7 @@ public record WorldSettings(
      * Switches camera noise on or off.
      *
      * @param on whether camera readings are noisy
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withNoise(boolean on) {
         return withCamera(camera.withNoise(on));
@@ -88,7 +88,7 @@ public record WorldSettings(
      * Changes the objects on the pitch.
      *
      * @param value the new landscape
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withLandscape(Landscape value) {
         return new WorldSettings(parameters, synchronous, camera, value, seed);
@@ -98,7 +98,7 @@ public record WorldSettings(
      * Changes the seed.
      *
      * @param value seed for all random numbers
-     * @return a changed copy
+     * @return a modified copy
      */
     public WorldSettings withSeed(long value) {
         return new WorldSettings(parameters, synchronous, camera, landscape, value);

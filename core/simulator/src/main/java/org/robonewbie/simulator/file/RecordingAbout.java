@@ -108,7 +108,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      * Adds or removes the star.
      *
      * @param isStarred whether the recording is exempt from automatic deletion
-     * @return a changed copy
+     * @return a modified copy
      */
     public RecordingAbout withStar(boolean isStarred) {
         return new RecordingAbout(agent, project, isStarred, bookmarks);
@@ -119,7 +119,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      *
      * @param seconds time since the start of the recording
      * @param note the user's note, truncated to 300 characters
-     * @return a changed copy
+     * @return a modified copy
      * @throws IllegalArgumentException if there are already 500 bookmarks; the message is suitable for the user
      */
     public RecordingAbout withBookmark(double seconds, String note) {
@@ -137,7 +137,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      * Removes a bookmark.
      *
      * @param seconds its time
-     * @return a changed copy
+     * @return a modified copy
      */
     public RecordingAbout withoutBookmark(double seconds) {
         return new RecordingAbout(

@@ -96,7 +96,7 @@ public record SimulatorSettings(
      * Changes the settings for agent connections.
      *
      * @param value the new settings
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withAgents(Agents value) {
         return new SimulatorSettings(world, value, monitors, speed, seconds, output);
@@ -106,7 +106,7 @@ public record SimulatorSettings(
      * Changes the port for agents.
      *
      * @param value TCP port, 0 for any free port
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withAgentPort(int value) {
         return withAgents(
@@ -117,7 +117,7 @@ public record SimulatorSettings(
      * Changes the number of awaited agents.
      *
      * @param value number of agents that must have sent a message before the first cycle
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withAwaitedAgents(int value) {
         return withAgents(new Agents(agents.bindAddress, agents.port, agents.endpoints, value, agents.silentSeconds));
@@ -127,7 +127,7 @@ public record SimulatorSettings(
      * Changes the settings for monitor connections.
      *
      * @param value the new settings
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withMonitors(Monitors value) {
         return new SimulatorSettings(world, agents, value, speed, seconds, output);
@@ -137,7 +137,7 @@ public record SimulatorSettings(
      * Opens a port for monitors.
      *
      * @param value TCP port, 0 for any free port
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withMonitorPort(int value) {
         return withMonitors(new Monitors(OptionalInt.of(value), monitors.stepSeconds, monitors.trainers, monitors.log));
@@ -147,7 +147,7 @@ public record SimulatorSettings(
      * Changes the initial speed.
      *
      * @param value simulated seconds per real second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withSpeed(double value) {
         return new SimulatorSettings(world, agents, monitors, value, seconds, output);
@@ -157,7 +157,7 @@ public record SimulatorSettings(
      * Changes the duration.
      *
      * @param value simulated seconds; infinite to run until the simulator is closed
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withSeconds(double value) {
         return new SimulatorSettings(world, agents, monitors, speed, value, output);
@@ -168,7 +168,7 @@ public record SimulatorSettings(
      *
      * @param recording file for the recording
      * @param report file for the report
-     * @return a changed copy
+     * @return a modified copy
      */
     public SimulatorSettings withOutput(Optional<Path> recording, Optional<Path> report) {
         return new SimulatorSettings(world, agents, monitors, speed, seconds, new Output(recording, report));

@@ -7,7 +7,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * The minimum distance, in metres, from the ball's centre to the right goal line between the posts. A goal by the left
- * team sets the value to 0 and decides the measure; own goals do not count.
+ * team sets the value to 0 and ends the measurement; own goals do not count.
  */
 public final class BallToGoal implements Measure {
 

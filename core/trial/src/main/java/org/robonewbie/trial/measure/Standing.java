@@ -2,7 +2,7 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** The time until the robot falls, in seconds. A fall decides the measure. */
+/** The time until the robot falls, in seconds. The measurement ends with the fall. */
 public final class Standing extends MeasureFromStart {
 
     private double seconds;

@@ -63,7 +63,7 @@ final class ClassFolder {
                 }
             } else {
                 throw new CalledWronglyException("There is no file or folder " + source
-                        + ". Name a folder that contains a folder for each student, with .java files.");
+                        + ". Choose a folder that contains a folder for each student, with .java files.");
             }
         }
         all.addReceived();

@@ -62,7 +62,7 @@ public record Answer(int status, String type, byte[] content, String version) {
     }
 
     /**
-     * Creates the response to a written file.
+     * Creates the response to a request that has written a file.
      *
      * @param version the new version of the file
      * @return the response

@@ -91,7 +91,7 @@ final class CouplingGraph {
         return endsStart[body];
     }
 
-    /** Returns a joint end: twice the joint index, plus one if it is the end at the joint's second body. */
+    /** Returns the joint end at an index, encoded as twice the joint's index, plus one for the end at its second body. */
     int end(int index) {
         return ends[index];
     }

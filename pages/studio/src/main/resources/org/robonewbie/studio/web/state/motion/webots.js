@@ -118,7 +118,7 @@ export function readWebots(text, body, start) {
   const signs =
     found.reading === 'nao'
       ? 'Angles were read with NAO’s sign conventions, as Webots writes them.'
-      : 'Angles were read with the signs of the original motion editor.';
+      : 'Angles were read with the sign conventions of the original motion editor.';
   const { document, columns, remarks } = found;
   return { document, notes: [signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }
