@@ -22,7 +22,7 @@ const PATIENCE_MILLIS = 1000 * Number(process.env.PATIENCE ?? 60);
 
 /** Expected in every page that is drawn without a graphics card. */
 const EXPECTED = /GPU stall due to ReadPixels/;
-const THIS_COMPUTER = /^(https?:\/\/(127\.0\.0\.1|localhost)[:/]|data:|blob:|about:|chrome:)/;
+const THIS_COMPUTER = /^(https?:\/\/(127\.0\.0\.1|localhost)[:/]|file:|data:|blob:|about:|chrome:)/;
 
 let shared;
 after(() => shared?.close());

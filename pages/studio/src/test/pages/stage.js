@@ -97,9 +97,11 @@ export async function folderWith(t, files = {}) {
  * @typedef {{ side?: 'LEFT' | 'RIGHT', number?: number, type?: number, x?: number, y?: number, heading?: number,
  *   posture?: Record<string, number> }} Robot one of the left team comes first; the posture has degrees by names of joints
  * @typedef {{ robots?: Robot[], isPlaying?: boolean, isPaused?: boolean, landscape?: string, speed?: number, language?: 'en' | 'de',
- *   recordings?: string[], search?: object }} World `isPlaying` adds a robot of the team Stars that nods, raises an arm too fast and
- *   shouts; `recordings` are names of recordings to make in the folder: four seconds with a goal and a fall (those in its folder `project`
- *   are of the student's project); `search` is the task of an optimisation, shown instead of the course
+ *   recordings?: string[], openedRecording?: string, search?: object, hasWall?: boolean, isForeign?: boolean }} World `isPlaying` adds a
+ *   robot of the team Stars that nods, raises an arm too fast and shouts; `recordings` are names of recordings to make in the folder: four
+ *   seconds with a goal and a fall (those in its folder `project` are of the student's project), `openedRecording` one of them that is
+ *   opened with the studio; `search` is the task of an optimisation, shown instead of the course, `hasWall` shows the wall of a contest
+ *   instead; `isForeign` shows the world as that of another process, through its monitor port
  */
 
 /**
@@ -116,8 +118,17 @@ export async function openStage(t, folder, world) {
   const close = () => (closing ??= ask({ do: 'close', id }));
   atEnd(t, close);
   return {
+    /** Number of this studio, for the wall of another one. */
+    id,
+
     /** Returns an address of the page, which works once. */
     address: async () => (await ask({ do: 'address', id })).address,
+
+    /** Writes a page file to a folder, which leads to such an address, and returns its path. */
+    pageFile: async (to) => (await ask({ do: 'pageFile', id, folder: to })).path,
+
+    /** Publishes news on the wall of a contest, see StagedWall.java. */
+    wall: (news) => ask({ do: 'wall', id, ...news }),
 
     /** Changes the world by a command of the page, such as `{do: 'step', cycles: 50}`. */
     order: (order) => ask({ do: 'order', id, order }),

@@ -1,5 +1,5 @@
 /**
- * What a careless hand does in a page, drawn from a seed: clicks, drags, keys, the wheel, and texts in fields. FuzzPageTest
+ * What a careless hand does in a page, drawn from a seed: clicks, drags, keys, the wheel, and texts in fields. rooms/clicks.test.js
  * loads it. Files that would be chosen or offered are passed over, since no person is there to answer the browser's windows.
  */
 

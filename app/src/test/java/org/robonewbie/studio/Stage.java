@@ -7,6 +7,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.net.BindException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -52,7 +53,7 @@ final class Stage {
     private Map<String, Object> answer(JsonObject request) throws IOException {
         if (request.get("do").getAsString().equals("open")) {
             opened++;
-            studios.put(opened, new StagedStudio(request));
+            studios.put(opened, open(request));
             return Map.of("id", opened, "drawingPort", studios.get(opened).drawingPort());
         }
         int id = request.get("id").getAsInt();
@@ -62,6 +63,12 @@ final class Stage {
             case "world" -> world(studio.simulation().latest());
             case "order" -> {
                 studio.order(request.get("order").toString());
+                yield Map.of();
+            }
+            case "pageFile" ->
+                Map.of("path", studio.pageFile(request.get("folder").getAsString()));
+            case "wall" -> {
+                studio.wall().tell(request, trial -> studios.get(trial).simulation());
                 yield Map.of();
             }
             case "tell" -> {
@@ -88,6 +95,15 @@ final class Stage {
             }
             default -> throw new IllegalArgumentException("unknown: " + request);
         };
+    }
+
+    /** Opens a studio; tries again if another process has the port for telemetry, which follows that for agents. */
+    private static StagedStudio open(JsonObject request) throws IOException {
+        try {
+            return new StagedStudio(request);
+        } catch (BindException portIsTaken) {
+            return new StagedStudio(request);
+        }
     }
 
     private static Map<String, Object> world(WorldSnapshot now) {

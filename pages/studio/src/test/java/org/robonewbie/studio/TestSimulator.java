@@ -23,6 +23,7 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.studio.monitor.MonitoredSimulation;
 
 /** A real simulator in real time with puppets that hold a posture. */
 final class TestSimulator implements AutoCloseable {
@@ -96,6 +97,11 @@ final class TestSimulator implements AutoCloseable {
 
     int agentPort() {
         return simulator.agentPort();
+    }
+
+    /** Connects to the monitor port, which the settings must open. */
+    MonitoredSimulation watched() throws IOException {
+        return MonitoredSimulation.connect("127.0.0.1", simulator.monitorPort().orElseThrow());
     }
 
     SimulationControl control() {
