@@ -9,8 +9,11 @@ import { folderWith, openStage } from './stage.js';
 import { serve } from './static-server.js';
 import { atEnd } from './tests.js';
 
-const WEB_EDITION = process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
-const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
+/** Folder of the web edition. */
+export const WEB_EDITION =
+  process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
+/** Name of the text field with the program in the Program room. */
+export const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
 const POLL_MILLIS = 25;
 const PATIENCE_SECONDS = Number(process.env.PATIENCE ?? 60);
 
@@ -37,15 +40,17 @@ export async function openStudio(t, options = {}) {
  * Opens the web edition on a fresh page.
  *
  * @param {import('node:test').TestContext} t
- * @param {{ to?: string, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object,
- *   before?: () => void }} options `to` is what follows the address of the folder, such as `#program`
+ * @param {{ to?: string, files?: Record<string, string>, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean,
+ *   browser?: object, before?: () => void }} options `to` is what follows the address of the folder, such as `#program`; `files` are
+ *   served before those of the page
  */
-export async function openWebEdition(t, { to = '', ...look } = {}) {
-  const server = await serve(t, WEB_EDITION);
+export async function openWebEdition(t, { to = '', files, ...look } = {}) {
+  const folder = await folderWith(t, files);
+  const server = await serve(t, folder, WEB_EDITION);
   const user = await newUser(t, look);
   const visit = (place = to) => user.visits(server.address + place);
   await visit();
-  return { server, user, visit };
+  return { folder, server, user, visit };
 }
 
 /** Opens an empty page for a user, of which the page must not complain until the test ends. */
@@ -104,6 +109,13 @@ class User {
     await this.#waitsForTheRoom();
   }
 
+  /** Follows a link to another place of the page, such as `#replay/game@2`. */
+  async follows(fragment) {
+    await this.page.evaluate((to) => {
+      location.hash = to;
+    }, fragment);
+  }
+
   async #waitsForTheRoom() {
     await this.page.waitForSelector('[aria-busy="true"]', { hidden: true });
   }
@@ -159,6 +171,21 @@ class User {
     await editor.focus();
     await this.presses('Control+a');
     await editor.evaluate(paste, text);
+  }
+
+  /** Saves a file in the web edition without showing it, such as `programs/own/MyAgent.java` or `motions/bow`. */
+  async stores(path, text) {
+    await this.page.evaluate(
+      async (place, body) => {
+        const version = (await fetch(place)).headers.get('Version') ?? '';
+        const { ok, status } = await fetch(place, { method: 'PUT', headers: { 'Known-Version': version }, body });
+        if (!ok) {
+          throw new Error(`status ${status}`);
+        }
+      },
+      `api/${path}`,
+      text,
+    );
   }
 
   /** Types text where the focus is. */

@@ -11,4 +11,5 @@ export function showBrowserAdvice() {
   byId('stage-opening').textContent =
     'This browser is too old for the simulator on this page (it lacks WebAssembly GC). Use Chromium 119, Firefox 120, Safari 18.2' +
     ' or newer, or install RoboNewbie on your computer.';
+  document.body.ariaBusy = 'false';
 }
