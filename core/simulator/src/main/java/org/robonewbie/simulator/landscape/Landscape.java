@@ -48,7 +48,8 @@ public record Landscape(String name, String description, List<Thing> things) {
             List.of(wall(-3.6, 0.7), post(-3.6, -1.3), wall(-2.2, -0.7), post(-2.2, 1.3)));
 
     /** A hill with a slope, a level top and steps down. */
-    public static final Landscape SLOPE = new Landscape("slope", "a hill with a slope up and steps down", hill());
+    public static final Landscape SLOPE =
+            new Landscape("slope", "a hill: a slope of 5 degrees, a level top, and two steps down", hill());
 
     /** A box that is wide enough for two robots to push side by side. */
     public static final Landscape BOX = new Landscape(

@@ -39,37 +39,45 @@ public final class DomainRandomization {
     static final double MAX_DISTANCE = 8;
 
     enum Name {
-        X,
-        Y,
-        HEADING,
-        BALL_X,
-        BALL_Y,
-        PUSH,
-        DELAY(0, 1000),
-        CYCLES(1, 1000),
-        NOISE(0, 1000),
-        FRICTION(0.01, 100),
-        MASS(0.1, 10),
-        FORWARD(-MAX_SPEED, MAX_SPEED),
-        LEFT(-MAX_SPEED, MAX_SPEED),
-        TURN(-MAX_TURN, MAX_TURN),
-        DISTANCE(0, MAX_DISTANCE),
-        SPEED(0.01, MAX_SPEED),
-        STEP(20, 1000),
-        SLOW(0, 1),
-        TOLERANCE(0.01, MAX),
-        CONSTANT(0, 1),
-        TYPE(0, 4),
-        SECONDS(0.02, MAX);
+        X("start position of the robot, metres"),
+        Y(X.meaning),
+        HEADING("start heading of the robot, degrees (0: towards the right goal)"),
+        BALL_X("start position of the ball, metres"),
+        BALL_Y(BALL_X.meaning),
+        PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
+        DELAY("additional cycles until an action reaches the motors", 0, 1000),
+        CYCLES("cycles per action (1); their rewards are added", 1, 1000),
+        NOISE(
+                "standard deviation of additional noise of joint angles (degrees), gyro (degrees/s) and accelerometer (m/s2)",
+                0,
+                1000),
+        FRICTION("factor for the friction of all surfaces (1)", 0.01, 100),
+        MASS("factor for the mass of the robot (1)", 0.1, 10),
+        FORWARD(
+                "velocity to follow in Follow, Run, engine and gait tasks, m/s and degrees/s (random)",
+                -MAX_SPEED,
+                MAX_SPEED),
+        LEFT(FORWARD.meaning, -MAX_SPEED, MAX_SPEED),
+        TURN(FORWARD.meaning, -MAX_TURN, MAX_TURN),
+        DISTANCE("wanted distance of the ball in KickTo, 0 to 8 m (random, 2 to 6 m)", 0, MAX_DISTANCE),
+        SPEED("in gait tasks: speed straight ahead, m/s", 0.01, MAX_SPEED),
+        STEP("in gait tasks: duration of a step, a multiple of 20 ms", 20, 1000),
+        SLOW("in gait tasks: share of the later commands that slow down", 0, 1),
+        TOLERANCE("in gait tasks: velocity error at which the reward is 0, m/s", 0.01, MAX),
+        CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
+        TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4),
+        SECONDS("in gait tasks: duration of an episode, seconds (9)", 0.02, MAX);
 
+        private final String meaning;
         private final double min;
         private final double max;
 
-        Name() {
-            this(-MAX, MAX);
+        Name(String meaning) {
+            this(meaning, -MAX, MAX);
         }
 
-        Name(double min, double max) {
+        Name(String meaning, double min, double max) {
+            this.meaning = meaning;
             this.min = min;
             this.max = max;
         }
@@ -82,6 +90,10 @@ public final class DomainRandomization {
                     .orElseThrow(() -> new IllegalArgumentException("There is no option \"" + word + "\"."
                             + Spelling.question(word, words)
                             + " Available: reward, " + String.join(", ", words) + "."));
+        }
+
+        String meaning() {
+            return meaning;
         }
 
         String word() {

@@ -13,9 +13,7 @@ import org.robonewbie.trial.measure.KickDistance;
 
 /**
  * Task: kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance
- * unless the option {@code distance} sets it. Return: 1 minus the relative error, which is the distance between the
- * target and the ball's resting position, divided by the target distance, and at most 2; −1 for a fall. Only the state
- * at the end of the episode counts.
+ * unless the option {@code distance} sets it. Only the state at the end of the episode counts.
  */
 final class KickToTraining extends TrainingTask {
 
@@ -85,6 +83,17 @@ final class KickToTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return !hasFallen() && error < DONE_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 minus the distance between where the ball will stop and its target, relative to the wanted "
+                + "distance (at most 2); a fall costs 1";
+    }
+
+    @Override
+    public String successRule() {
+        return "the ball will stop within 0.5 m of the target and the robot stands";
     }
 
     @Override

@@ -248,6 +248,16 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 0;
     }
 
+    /** {@return what is rewarded and what is penalised, for help texts; empty by default} */
+    public String rewardRule() {
+        return "";
+    }
+
+    /** {@return the condition for success, for help texts} */
+    public String successRule() {
+        return "no fall";
+    }
+
     /**
      * {@return whether the robot has achieved the goal of the task; training programs receive it as {@code
      * info["is_success"]}}
