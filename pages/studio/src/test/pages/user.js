@@ -9,7 +9,9 @@ import { folderWith, openStage } from './stage.js';
 import { serve } from './static-server.js';
 import { atEnd } from './tests.js';
 
-const WEB_EDITION = process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
+/** Folder of the web edition. */
+export const WEB_EDITION =
+  process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
 /** Name of the text field with the program in the Program room. */
 export const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
 const POLL_MILLIS = 25;
