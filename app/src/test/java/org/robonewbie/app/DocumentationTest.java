@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -18,9 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.app.page.CodeBlock;
 import org.robonewbie.app.page.Command;
-import org.robonewbie.nao.Joint;
 
-/** What the pages say is true: links lead somewhere, tables are complete, libraries are named. */
+/** What the pages say is true: links lead somewhere, pictures are shown, libraries are named. */
 class DocumentationTest {
 
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(#[^)]*)?\\)");
@@ -104,23 +102,6 @@ class DocumentationTest {
                 .code();
 
         assertThat(first.lines()).hasSizeLessThanOrEqualTo(MAX_LINES_OF_FIRST_PROGRAM);
-    }
-
-    @Test
-    void everyJointIsInTheTable() {
-        String page = Project.read(Project.ROOT.resolve("docs/reference.md"));
-
-        assertThat(Joint.values())
-                .allSatisfy(joint -> assertThat(page)
-                        .contains(String.format(
-                                Locale.ROOT,
-                                "| `%s` | %s | `%s` | `%s` | %.0f to %.0f |",
-                                joint,
-                                joint.standardName(),
-                                joint.perceptorName(),
-                                joint.effectorName(),
-                                joint.minDegrees(),
-                                joint.maxDegrees())));
     }
 
     @Test

@@ -4,20 +4,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import org.robonewbie.app.studio.ContestStudio;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
 import org.robonewbie.competition.contest.Conditions;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.Contests;
-import org.robonewbie.competition.contest.MatchContest;
-import org.robonewbie.competition.contest.MatchKind;
+import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
@@ -35,17 +33,9 @@ import picocli.CommandLine.Parameters;
 
 /** {@code robonewbie competition}: runs a contest between the programs of several teams. */
 @Command(
-        name = "competition",
+        name = CompetitionCommand.NAME,
         description = {
             "Run a contest between the programs of up to ten teams, and rank them.",
-            "",
-            "scoring     one trial of 180 s per team: the earliest goal wins, otherwise the ball closest to the"
-                    + " goal at the end",
-            "penalties   attacker against goalkeeper, both roles, sudden death",
-            "matches     round robin on the small pitch",
-            "league      full teams on the league's pitch, round robin, home and away",
-            "walk, kick, stand, gymnastics   small contests for one robot",
-            "exercise:NAME                   an exercise of the course, graded as by \"robonewbie grade\"",
             "",
             "Each program runs in a separate process, which bubblewrap isolates on Linux. A program that fails costs its team the trial and nothing else."
                     + " The same seed and programs give the same table. After an interruption, the same command resumes the contest."
@@ -71,12 +61,15 @@ import picocli.CommandLine.Parameters;
         })
 final class CompetitionCommand implements Callable<Integer> {
 
-    private static final double HALF_SECONDS = 300;
+    static final String NAME = "competition";
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(index = "0", paramLabel = "CONTEST", description = "One of the contests listed above.")
+    @Parameters(
+            index = "0",
+            paramLabel = "CONTEST",
+            description = "One of the contests listed below, or exercise:NAME, graded as by \"robonewbie grade\".")
     private String kind = "";
 
     @Parameters(
@@ -164,9 +157,16 @@ final class CompetitionCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         // report an unknown contest before missing teams
-        Function<Conditions, Contest> contest = contest();
-        List<TeamEntry> teams = teams();
-        return hold(contest.apply(conditions(teams)), teams);
+        Contest contest = contest(Conditions.of(seed));
+        List<TeamEntry> teams = teams(contest instanceof JudgedContest ? 2 : 1);
+        return hold(contest(conditions(teams)), teams);
+    }
+
+    /** Returns the rules of all contests for the help text. */
+    static Map<String, String> rules() {
+        Map<String, String> rules = new LinkedHashMap<>();
+        Contests.usual().forEach(contest -> rules.put(contest.name(), contest.rule()));
+        return rules;
     }
 
     private int hold(Contest contest, List<TeamEntry> teams) throws IOException, InterruptedException {
@@ -224,16 +224,12 @@ final class CompetitionCommand implements Callable<Integer> {
                 spectators);
     }
 
-    private List<TeamEntry> teams() {
+    private List<TeamEntry> teams(int needed) {
         List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
         if (teamsFile.isPresent() && !entries.isEmpty()) {
             throw new CalledWronglyException("Teams are listed both in " + teamsFile.get()
                     + " and on the command line. List all of them in the file, or omit --teams.");
         }
-        int needed = Set.of("penalties", MatchKind.MATCHES.word(), MatchKind.LEAGUE.word())
-                        .contains(kind)
-                ? 2
-                : 1;
         if (teams.size() < needed) {
             throw new CalledWronglyException("This contest needs at least " + needed + " team"
                     + (needed == 1 ? "" : "s") + ". For example: robonewbie competition " + kind
@@ -248,7 +244,7 @@ final class CompetitionCommand implements Callable<Integer> {
         return new Conditions(seed, varied, seeds);
     }
 
-    private Function<Conditions, Contest> contest() {
+    private Contest contest(Conditions conditions) {
         if (players < 1
                 || players > 11
                 || rounds < 1
@@ -258,26 +254,13 @@ final class CompetitionCommand implements Callable<Integer> {
         if (kind.startsWith(ExerciseContests.PREFIX)) {
             String name = kind.substring(ExerciseContests.PREFIX.length());
             Exercise exercise = Exercises.find(name).orElseThrow(() -> GradeCommand.unknown(name));
-            return conditions -> ExerciseContests.of(exercise, rounds, conditions);
+            return ExerciseContests.of(exercise, rounds, conditions);
         }
-        return switch (kind) {
-            case "scoring" -> conditions -> Contests.scoring(conditions, seconds.orElse(Contests.SCORING_SECONDS));
-            case "penalties" -> conditions -> Contests.penalties(conditions, rounds, seconds.orElse(30.0));
-            case "matches" -> matches(MatchKind.MATCHES);
-            case "league" -> matches(MatchKind.LEAGUE);
-            case "walk" -> Contests::walk;
-            case "kick" -> Contests::kick;
-            case "stand" -> Contests::stand;
-            case "gymnastics" -> Contests::gymnastics;
-            default ->
-                throw new CalledWronglyException("Unknown contest \"" + kind
-                        + "\". Choose one of: scoring, penalties, matches, league, walk, kick, stand, gymnastics,"
-                        + " and exercise:NAME, such as exercise:dance.");
-        };
-    }
-
-    private Function<Conditions, Contest> matches(MatchKind match) {
-        return conditions -> new MatchContest(match, players, seconds.orElse(HALF_SECONDS), conditions);
+        return Contests.all(conditions, rounds, players, seconds).stream()
+                .filter(contest -> contest.name().equals(kind))
+                .findFirst()
+                .orElseThrow(() -> new CalledWronglyException("Unknown contest \"" + kind + "\". Choose one of: "
+                        + String.join(", ", rules().keySet()) + ", and exercise:NAME, such as exercise:dance."));
     }
 
     private static void print(Table table) {

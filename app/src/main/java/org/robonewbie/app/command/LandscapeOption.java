@@ -1,5 +1,6 @@
 package org.robonewbie.app.command;
 
+import java.util.Iterator;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.landscape.Landscape;
 import picocli.CommandLine.Option;
@@ -10,8 +11,19 @@ final class LandscapeOption {
     @Option(
             names = "--scene",
             paramLabel = "NAME",
-            description = "Objects on the pitch: soccer (none), obstacles, slope or box (default: soccer).")
+            completionCandidates = Scenes.class,
+            description = "Objects on the pitch (default: soccer): ${COMPLETION-CANDIDATES}.")
     private String name = Landscape.SOCCER.name();
+
+    /** The scenes and what is there. */
+    static final class Scenes implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Landscape.ALL.stream()
+                    .map(scene -> scene.name() + " (" + scene.description() + ")")
+                    .iterator();
+        }
+    }
 
     Landscape landscape() {
         try {

@@ -5,7 +5,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.policy.Policy;
@@ -24,7 +26,7 @@ import picocli.CommandLine.Parameters;
 
 /** Command that trains a policy for a task with an evolution strategy, or evaluates one. */
 @Command(
-        name = "learn",
+        name = LearnCommand.NAME,
         description = {
             "Train a policy for a task with an evolution strategy, or evaluate a policy.",
             "",
@@ -45,16 +47,15 @@ import picocli.CommandLine.Parameters;
         })
 final class LearnCommand implements Callable<Integer> {
 
+    static final String NAME = "learn";
+
     private static final String SHIPPED = "shipped";
     private static final String NONE = "none";
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(
-            index = "0",
-            paramLabel = "TASK",
-            description = "WalkGait, JogGait, RunGait, Stand, KickTo, QuickGetUp, another task, or a custom class.")
+    @Parameters(index = "0", paramLabel = "TASK", description = "One of the tasks listed below, or a custom class.")
     private String task = "";
 
     @Parameters(
@@ -85,7 +86,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--option",
             paramLabel = "NAME=VALUE",
-            description = "Task option, such as noise=0.5 or push=10; docs/gym-protocol.md lists all options.")
+            description = "Task option listed below, such as noise=0.5 or push=10..20.")
     private List<String> options = List.of();
 
     @Option(
@@ -121,6 +122,17 @@ final class LearnCommand implements Callable<Integer> {
             paramLabel = "EPISODES",
             description = "Evaluate the policy in this many episodes instead of training.")
     private @Nullable Integer evaluate;
+
+    /** Returns the rules of the tasks for one robot, for the help text. */
+    static Map<String, String> rules() {
+        Map<String, String> rules = new TreeMap<>();
+        EnvironmentSpec.tasks().forEach((name, task) -> {
+            if (task.learners() == 1) {
+                rules.put(name, "Reward: " + task.rewardRule() + ". Success: " + task.successRule() + ".");
+            }
+        });
+        return rules;
+    }
 
     @Override
     public Integer call() throws IOException {

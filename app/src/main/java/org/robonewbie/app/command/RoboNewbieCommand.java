@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
+import org.robonewbie.learning.environment.EnvironmentSpec;
 import org.robonewbie.nao.file.PathEncoding;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -123,9 +124,18 @@ public final class RoboNewbieCommand {
                 .sectionMap()
                 .put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, RoboNewbieCommand::groupedCommands);
         subcommand(commandLine, RunCommand.NAME).ifPresent(run -> run.setStopAtPositional(true));
-        appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
-        appendToHelp(commandLine, RunCommand.NAME, () -> "Options of the agent:%n" + Options.help());
-        appendToHelp(commandLine, SimulatorCommand.NAME, SimulatorCommand::listOfParameters);
+        appendToHelp(commandLine, DemoCommand.NAME, help -> "Options of the agent:\n" + Options.help());
+        appendToHelp(commandLine, RunCommand.NAME, help -> "Options of the agent:\n" + Options.help());
+        appendToHelp(commandLine, SimulatorCommand.NAME, help -> SimulatorCommand.listOfParameters());
+        appendToHelp(
+                commandLine,
+                CompetitionCommand.NAME,
+                help -> "Contests:\n" + help.createTextTable(CompetitionCommand.rules()));
+        appendToHelp(
+                commandLine,
+                LearnCommand.NAME,
+                help -> "Tasks:\n" + help.createTextTable(LearnCommand.rules()) + "\nOptions of the tasks:\n"
+                        + help.createTextTable(EnvironmentSpec.meaningOfOptions()));
         return commandLine;
     }
 
@@ -157,10 +167,10 @@ public final class RoboNewbieCommand {
     }
 
     /** Appends a list to a command's help. */
-    private static void appendToHelp(CommandLine commandLine, String name, Supplier<String> list) {
+    private static void appendToHelp(CommandLine commandLine, String name, Function<Help, String> list) {
         subcommand(commandLine, name).ifPresent(command -> {
             UsageMessageSpec usage = command.getCommandSpec().usageMessage();
-            usage.sectionMap().put("list", help -> String.format("%n" + list.get() + "%n"));
+            usage.sectionMap().put("list", help -> "\n" + list.apply(help) + "\n");
             usage.sectionKeys(Stream.concat(usage.sectionKeys().stream(), Stream.of("list"))
                     .toList());
         });

@@ -103,7 +103,8 @@ class CompetitionCommandTest {
 
         assertThat(first.exitCode()).as(first.err()).isZero();
         assertThat(first.out().replaceAll(" +", " "))
-                .contains("League, 2 against 2: Every team plays every other team twice, home and away, for 1 s.")
+                .contains(
+                        "League, 2 against 2: Each team plays every other team twice, home and away, by the league's rules, for 1 s.")
                 .contains("1. Blue 2 0 2 0 0:0 0 2")
                 .contains("1. Red 2 0 2 0 0:0 0 2");
         assertThat(again.out()).contains("1 of 2 trials are already finished", "[2/2] league-Red-Blue");

@@ -3,24 +3,55 @@ package org.robonewbie.competition.contest;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.robonewbie.trial.measure.BallToGoal;
 import org.robonewbie.trial.measure.LongestKick;
 import org.robonewbie.trial.measure.Pushes;
 import org.robonewbie.trial.measure.Race;
 import org.robonewbie.trial.measure.Standing;
 
-/** The contests with their default parameters. */
+/** The contests of the competition. */
 public final class Contests {
 
     /** Length of a trial in the scoring contest, in simulated seconds. */
     public static final double SCORING_SECONDS = 180;
 
+    private static final double PENALTY_SECONDS = 30;
+    private static final double MATCH_SECONDS = 300;
     private static final double MINI_SECONDS = 60;
     private static final double RACE_METRES = 3;
     private static final int CYCLES_BETWEEN_PUSHES = 150;
     private static final double PUSH_STEP_NEWTONS = 5;
 
     private Contests() {}
+
+    /** {@return the contests as they are held without options} */
+    public static List<Contest> usual() {
+        return all(Conditions.of(1), 3, 1, Optional.empty());
+    }
+
+    /**
+     * Creates all contests.
+     *
+     * @param conditions seeds and variations
+     * @param rounds rounds of a penalty shoot-out before sudden death
+     * @param players robots per team in a match, 1 to 11
+     * @param seconds length of a trial in simulated seconds, for the contests in which it can be chosen; empty for the
+     *     usual length
+     * @return the contests, those of a single robot last
+     */
+    public static List<Contest> all(Conditions conditions, int rounds, int players, Optional<Double> seconds) {
+        double matchSeconds = seconds.orElse(MATCH_SECONDS);
+        return List.of(
+                scoring(conditions, seconds.orElse(SCORING_SECONDS)),
+                penalties(conditions, rounds, seconds.orElse(PENALTY_SECONDS)),
+                new MatchContest(MatchKind.MATCHES, players, matchSeconds, conditions),
+                new MatchContest(MatchKind.LEAGUE, players, matchSeconds, conditions),
+                walk(conditions),
+                kick(conditions),
+                stand(conditions),
+                gymnastics(conditions));
+    }
 
     /**
      * Creates the scoring contest described in the RoboNewbie paper: the earliest goal wins.
@@ -31,8 +62,7 @@ public final class Contests {
      */
     public static Contest scoring(Conditions conditions, double seconds) {
         String rule = "One trial of " + Math.round(seconds)
-                + " s per team. The earliest goal wins; teams that do not score are ranked by the distance of"
-                + " the ball from the goal at the end.";
+                + " s per team: the earliest goal wins, otherwise the ball closest to the goal at the end.";
         StartPlace start = conditions.start(new StartPlace(2, -0.5, 0.4, -40));
         return new ChallengeContest(
                 "scoring",
@@ -81,8 +111,8 @@ public final class Contests {
         return new ChallengeContest(
                 "walk",
                 "Fastest walk",
-                "Walk 3 m straight ahead towards the ball. The fastest robot to cross the line upright wins; teams that"
-                        + " do not cross it are ranked by the distance walked.",
+                "3 m straight ahead within 60 s: the fastest robot across the line, upright, wins; otherwise the distance walked"
+                        + " counts.",
                 () -> new SoloChallenge<>(start, new Race(RACE_METRES), Contests::way),
                 start,
                 MINI_SECONDS,
@@ -110,8 +140,7 @@ public final class Contests {
         return new ChallengeContest(
                 "kick",
                 "Longest kick",
-                "The ball lies on the centre spot; the robot starts 0.8 m behind it and has 60 s. The score is the"
-                        + " distance of the ball from the point where it left the robot.",
+                "How far the ball gets within 60 s from the place where it left the robot. Pushing it along gains nothing.",
                 () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
                 start,
                 MINI_SECONDS,
@@ -131,8 +160,7 @@ public final class Contests {
         return new ChallengeContest(
                 "stand",
                 "Longest standing",
-                "The robot is pushed every 3 s for 0.1 s, from varying directions, 5 N harder each time. The last to"
-                        + " fall wins.",
+                "A push every 3 s for 0.1 s from varying directions, each 5 N harder. The last robot standing wins.",
                 () -> pushed(start, conditions.seed()),
                 start,
                 SCORING_SECONDS,
@@ -164,9 +192,8 @@ public final class Contests {
         return new ChallengeContest(
                 "gymnastics",
                 "Gymnastics",
-                "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,"
-                        + " lying down and getting up. The most elements win; in a tie, the team that completed its"
-                        + " last element earlier wins.",
+                "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn, lying"
+                        + " down and getting up. The most elements win; in a tie, the earlier last one.",
                 () -> new SoloChallenge<>(start, new Gymnastics(), Gymnastics::figures),
                 start,
                 MINI_SECONDS,

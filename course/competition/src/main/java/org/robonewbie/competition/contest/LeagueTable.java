@@ -17,6 +17,10 @@ final class LeagueTable {
     private static final List<String> COLUMNS =
             List.of("Played", "Won", "Drawn", "Lost", "Goals", "Difference", "Points");
 
+    private static final String POINTS =
+            " Three points for a win, one for a draw; then goal difference, goals, then points and goal difference among"
+                    + " the tied teams.";
+
     private LeagueTable() {}
 
     /** A team's wins, draws, losses and goals. */
@@ -77,7 +81,7 @@ final class LeagueTable {
                         results.hasPlayed(
                                 place.who().team(), trialsOf.apply(place.who().team()))))
                 .toList();
-        return new Table(contest.title(), contest.rule(), COLUMNS, rows);
+        return new Table(contest.title(), contest.rule() + POINTS, COLUMNS, rows);
     }
 
     /** Ranks teams by their finished fixtures; teams whose programs do not compile are last. */

@@ -45,9 +45,7 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
 
     @Override
     public String rule() {
-        return kind.pairing() + " for " + Math.round(seconds)
-                + " s. Three points for a win, one for a draw. Ties are broken by goal difference, then goals scored,"
-                + " then the matches among the tied teams.";
+        return kind.pairing() + " for " + Math.round(seconds) + " s.";
     }
 
     @Override

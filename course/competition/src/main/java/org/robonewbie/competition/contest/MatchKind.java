@@ -9,9 +9,9 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /** Kinds of matches: course matches and league matches. */
 public enum MatchKind {
     /** Small teams on the small pitch without fouls; single round robin. */
-    MATCHES("matches", "Matches", "Every team plays every other team once"),
+    MATCHES("matches", "Matches", "Each team plays every other team once, by the beginner's rules,"),
     /** Full teams on the league's pitch under the league's rules; double round robin with swapped sides. */
-    LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
+    LEAGUE("league", "League", "Each team plays every other team twice, home and away, by the league's rules,");
 
     /** Seconds by which the simulated half is longer than the match, so that the contest, not the referee, ends the match. */
     private static final double SPARE_SECONDS = 60;

@@ -41,10 +41,8 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
 
     @Override
     public String rule() {
-        return "Every team meets every other team: " + shootOut.rounds()
-                + " rounds in which both attack once and defend once, each for " + Math.round(seconds)
-                + " s; then up to " + shootOut.suddenDeathRounds()
-                + " rounds of sudden death. Three points for a win, one for a draw.";
+        return "Each team attacks and defends against every other: " + shootOut.rounds() + " rounds of "
+                + Math.round(seconds) + " s, then up to " + shootOut.suddenDeathRounds() + " of sudden death.";
     }
 
     @Override

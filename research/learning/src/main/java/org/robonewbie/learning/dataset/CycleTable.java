@@ -33,44 +33,50 @@ final class CycleTable {
     List<Column> columns() {
         List<Column> all = new ArrayList<>();
         all.add(Column.whole("run", "", "number of the run, from 1"));
-        all.add(Column.whole("cycle", "", "number of the 20 ms cycle since the start of the simulator"));
-        all.add(Column.decimal("seconds", "s", "simulated time since the start of the simulator"));
+        all.add(Column.whole("cycle", "", "cycles of 20 ms since the start"));
+        all.add(Column.decimal("seconds", "s", "simulated time since the start"));
         all.add(Column.decimal("play_seconds", "s", "game time"));
-        all.add(Column.text("play_mode", "the referee's play mode, as named by SimSpark"));
+        all.add(Column.text("play_mode", "SimSpark's name of the play mode"));
         all.add(Column.text("team", "the robot's team"));
         all.add(Column.whole("number", "", "the robot's number, 1 to 11"));
         addSensed(all);
-        addJoints(all, "command", "degrees/s", "last commanded speed of the motor");
+        addJoints(all, "command", "degrees/s", "last commanded speed, up to this cycle");
         addTrue(all);
         if (withMessages) {
-            all.add(Column.text("perceptors", "the message to the agent"));
-            all.add(Column.text("effectors", "the message of the agent that took effect in this cycle"));
+            all.add(Column.text("perceptors", "with --messages: what the server said"));
+            all.add(Column.text("effectors", "with --messages: what the agent said, with effect in this cycle"));
         }
         return List.copyOf(all);
     }
 
     private static void addSensed(List<Column> all) {
-        addJoints(all, "sensed", "degrees", "measured angle");
-        addVector(all, "gyro", AXES, "degrees/s", "measured angular velocity of the torso");
-        addVector(all, "accelerometer", AXES, "m/s2", "measured acceleration of the torso");
+        addJoints(all, "sensed", "degrees", "angle, rounded to hundredths");
+        addVector(all, "gyro", AXES, "degrees/s", "angular velocity of the torso");
+        addVector(all, "accelerometer", AXES, "m/s2", "acceleration of the torso");
         for (String foot : List.of("left_foot", "right_foot")) {
             addVector(all, foot + "_point", AXES, "m", "centre of pressure; empty in the air");
             addVector(all, foot + "_force", AXES, "N", "ground reaction force; empty in the air");
         }
-        all.add(Column.whole("picture", "1 or 0", "whether the camera sent a picture in this cycle"));
+        all.add(Column.whole("picture", "1 or 0", "whether the camera sent a picture, as in every third cycle"));
         SeenAndSaid.addColumns(all);
     }
 
     private static void addTrue(List<Column> all) {
-        addVector(all, "true_torso", WORLD_AXES, "m", "centre of the torso in the world frame");
+        addVector(
+                all,
+                "true_torso",
+                WORLD_AXES,
+                "m",
+                "x to the right goal, y to the left of it, z up");
         for (String part : List.of("w", "x", "y", "z")) {
-            all.add(Column.decimal("true_torso_q" + part, "", "rotation of the torso in the world frame, quaternion"));
+            all.add(Column.decimal(
+                    "true_torso_q" + part, "", "rotation; the axes of the torso are right, forward, up"));
         }
         all.add(Column.decimal(
-                "true_heading", "degrees", "heading of the torso; 0 towards the right goal, positive to the left"));
-        all.add(Column.decimal("true_tilt", "degrees", "tilt of the torso: 0 upright, 90 lying"));
+                "true_heading", "degrees", "0 towards the right goal, positive to the left"));
+        all.add(Column.decimal("true_tilt", "degrees", "0 upright, 90 lying"));
         addJoints(all, "true", "degrees", "true angle");
-        addVector(all, "true_ball", WORLD_AXES, "m", "centre of the ball in the world frame");
+        addVector(all, "true_ball", WORLD_AXES, "m", "centre of the ball");
     }
 
     private static void addJoints(List<Column> all, String prefix, String unit, String meaning) {

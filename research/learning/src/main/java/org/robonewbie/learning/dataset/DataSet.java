@@ -58,6 +58,11 @@ public final class DataSet {
         this.events = new RunFiles(folder.resolve(EVENTS));
     }
 
+    /** {@return the columns of the table of cycles, those of the messages included} */
+    public static List<Column> columns() {
+        return new CycleTable(true).columns();
+    }
+
     /**
      * Creates a data set, or resumes an interrupted one and keeps its complete runs.
      *

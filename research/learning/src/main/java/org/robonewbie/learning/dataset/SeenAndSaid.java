@@ -31,18 +31,18 @@ final class SeenAndSaid {
         all.add(
                 Column.text(
                         "players",
-                        "players in the picture as JSON: team, number, and distance (m), horizontal, vertical (degrees) of each part"));
+                        "JSON: team, number; distance (m), horizontal, vertical (degrees) of each part"));
         all.add(
                 Column.text(
                         "heard",
-                        "received messages as JSON: team, direction (degrees, positive to the left; none for the robot's own) and text"));
-        all.add(Column.text("said", "the message that the agent sends in this cycle"));
+                        "JSON: team, direction (degrees to the left; none for its own), text"));
+        all.add(Column.text("said", "what it says in this cycle"));
     }
 
     private static void addPosition(List<Column> all, String name) {
-        all.add(Column.decimal(name + "_distance", "m", "distance in the picture; empty if not visible"));
-        all.add(Column.decimal(name + "_horizontal", "degrees", "horizontal direction, positive to the left"));
-        all.add(Column.decimal(name + "_vertical", "degrees", "vertical direction, positive upwards"));
+        all.add(Column.decimal(name + "_distance", "m", "distance"));
+        all.add(Column.decimal(name + "_horizontal", "degrees", "direction to the left"));
+        all.add(Column.decimal(name + "_vertical", "degrees", "direction upwards"));
     }
 
     static void put(List<Object> row, PerceptorMessage message, String said) {

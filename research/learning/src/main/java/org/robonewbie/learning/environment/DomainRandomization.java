@@ -39,37 +39,46 @@ public final class DomainRandomization {
     static final double MAX_DISTANCE = 8;
 
     enum Name {
-        X,
-        Y,
-        HEADING,
-        BALL_X,
-        BALL_Y,
-        PUSH,
-        DELAY(0, 1000),
-        CYCLES(1, 1000),
-        NOISE(0, 1000),
-        FRICTION(0.01, 100),
-        MASS(0.1, 10),
-        FORWARD(-MAX_SPEED, MAX_SPEED),
-        LEFT(-MAX_SPEED, MAX_SPEED),
-        TURN(-MAX_TURN, MAX_TURN),
-        DISTANCE(0, MAX_DISTANCE),
-        SPEED(0.01, MAX_SPEED),
-        STEP(20, 1000),
-        SLOW(0, 1),
-        TOLERANCE(0.01, MAX),
-        CONSTANT(0, 1),
-        TYPE(0, 4),
-        SECONDS(0.02, MAX);
+        X("where the robot stands, metres"),
+        Y(X.meaning),
+        HEADING("where the robot looks, degrees (0: to the right goal)"),
+        BALL_X("where the ball lies, metres"),
+        BALL_Y(BALL_X.meaning),
+        PUSH("newtons by which the pushes, one per second, get harder; in gait tasks newtons of the hardest"),
+        DELAY("additional cycles until an action reaches the motors", 0, 1000),
+        CYCLES("how many cycles an action lasts (1); rewards add up", 1, 1000),
+        NOISE(
+                "standard deviation of errors on top of each joint angle (degrees), gyro (degrees/s) and accelerometer"
+                        + " (m/s2)",
+                0,
+                1000),
+        FRICTION("how well all surfaces hold; 1 as usual", 0.01, 100),
+        MASS("mass of the robot; 1 as usual", 0.1, 10),
+        FORWARD(
+                "velocity to follow, m/s and degrees/s; Follow, Run, engine and gait tasks only, which else draw their own",
+                -MAX_SPEED,
+                MAX_SPEED),
+        LEFT(FORWARD.meaning, -MAX_SPEED, MAX_SPEED),
+        TURN(FORWARD.meaning, -MAX_TURN, MAX_TURN),
+        DISTANCE("how far the ball is to go in KickTo, 0 to 8 m; else each episode draws 2 to 6 m", 0, MAX_DISTANCE),
+        SPEED("in gait tasks: speeds straight ahead, m/s", 0.01, MAX_SPEED),
+        STEP("in gait tasks: milliseconds of a step, a multiple of 20", 20, 1000),
+        SLOW("in gait tasks: share of later commands that slow down", 0, 1),
+        TOLERANCE("in gait tasks: error that leaves no reward, m/s", 0.01, MAX),
+        CONSTANT("in gait tasks: share of episodes with one command (0.4)", 0, 1),
+        TYPE("in gait tasks: types of the robots (0..4: in turn)", 0, 4),
+        SECONDS("in gait tasks: seconds of an episode (9)", 0.02, MAX);
 
+        private final String meaning;
         private final double min;
         private final double max;
 
-        Name() {
-            this(-MAX, MAX);
+        Name(String meaning) {
+            this(meaning, -MAX, MAX);
         }
 
-        Name(double min, double max) {
+        Name(String meaning, double min, double max) {
+            this.meaning = meaning;
             this.min = min;
             this.max = max;
         }
@@ -82,6 +91,10 @@ public final class DomainRandomization {
                     .orElseThrow(() -> new IllegalArgumentException("There is no option \"" + word + "\"."
                             + Spelling.question(word, words)
                             + " Available: reward, " + String.join(", ", words) + "."));
+        }
+
+        String meaning() {
+            return meaning;
         }
 
         String word() {

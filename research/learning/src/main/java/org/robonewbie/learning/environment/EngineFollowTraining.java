@@ -11,9 +11,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: follow velocities beyond the limits of the walk engine by correcting its output: 0.6 to 1 m/s forward while
- * turning at up to 30°/s, redrawn every 3 s. Without corrections, the robot falls within a few seconds. Reward: 1 per
- * metre along the commanded heading; −3 for a fall.
+ * Task: follow velocities beyond the limits of the walk engine by correcting its output. Without corrections, the robot
+ * falls within a few seconds.
  */
 class EngineFollowTraining extends CommandedTraining {
 
@@ -62,6 +61,17 @@ class EngineFollowTraining extends CommandedTraining {
     @Override
     public final boolean isDone() {
         return !hasFallen() && metres() >= GOAL_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 per metre in the commanded direction, which changes every 3 s (0.6 to 1 m/s ahead, up"
+                + " to 30 degrees/s to a side); a fall costs 3; steps of 140 ms";
+    }
+
+    @Override
+    public String successRule() {
+        return "5 m without a fall";
     }
 
     @Override

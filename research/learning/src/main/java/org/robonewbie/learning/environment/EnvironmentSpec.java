@@ -1,8 +1,11 @@
 package org.robonewbie.learning.environment;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.robonewbie.trial.Measure;
@@ -18,32 +21,50 @@ import org.robonewbie.trial.measure.Measures;
 public record EnvironmentSpec(String task, List<String> options) {
 
     private static final String REWARD = "reward=";
-    private static final Catalogue<TrainingTask> TASKS = new Catalogue<>(
-            "task",
-            TrainingTask.class,
-            Map.ofEntries(
-                    Map.entry("Stand", StandTraining::new),
-                    Map.entry("Follow", FollowTraining::new),
-                    Map.entry("Run", RunTraining::new),
-                    Map.entry("EngineFollow", EngineFollowTraining::new),
-                    Map.entry("EngineRun", EngineRunTraining::new),
-                    Map.entry("WalkGait", GaitTraining::walking),
-                    Map.entry("JogGait", GaitTraining::jogging),
-                    Map.entry("RunGait", GaitTraining::running),
-                    Map.entry("GetUp", GetUpTraining::new),
-                    Map.entry("QuickGetUp", QuickGetUpTraining::new),
-                    Map.entry("Walk", WalkTraining::new),
-                    Map.entry("Kick", KickTraining::new),
-                    Map.entry("KickTo", KickToTraining::new),
-                    Map.entry("Reach", ReachTraining::new),
-                    Map.entry("Match1v1", () -> MatchTraining.of(1)),
-                    Map.entry("Match2v2", () -> MatchTraining.of(2)),
-                    Map.entry("Match11v11", () -> MatchTraining.of(11)),
-                    Map.entry("KeeperAgainstAttacker", MatchTraining::keeperAgainstAttacker)));
+    private static final Map<String, Supplier<TrainingTask>> ALL = Map.ofEntries(
+            Map.entry("Stand", StandTraining::new),
+            Map.entry("Follow", FollowTraining::new),
+            Map.entry("Run", RunTraining::new),
+            Map.entry("EngineFollow", EngineFollowTraining::new),
+            Map.entry("EngineRun", EngineRunTraining::new),
+            Map.entry("WalkGait", GaitTraining::walking),
+            Map.entry("JogGait", GaitTraining::jogging),
+            Map.entry("RunGait", GaitTraining::running),
+            Map.entry("GetUp", GetUpTraining::new),
+            Map.entry("QuickGetUp", QuickGetUpTraining::new),
+            Map.entry("Walk", WalkTraining::new),
+            Map.entry("Kick", KickTraining::new),
+            Map.entry("KickTo", KickToTraining::new),
+            Map.entry("Reach", ReachTraining::new),
+            Map.entry("Match1v1", () -> MatchTraining.of(1)),
+            Map.entry("Match2v2", () -> MatchTraining.of(2)),
+            Map.entry("Match11v11", () -> MatchTraining.of(11)),
+            Map.entry("KeeperAgainstAttacker", MatchTraining::keeperAgainstAttacker));
+    private static final Catalogue<TrainingTask> TASKS = new Catalogue<>("task", TrainingTask.class, ALL);
 
     /** Stores an unmodifiable copy of the list. */
     public EnvironmentSpec {
         options = List.copyOf(options);
+    }
+
+    /** {@return a new task of each kind, by name} */
+    public static SortedMap<String, TrainingTask> tasks() {
+        SortedMap<String, TrainingTask> tasks = new TreeMap<>();
+        ALL.forEach((name, task) -> tasks.put(name, task.get()));
+        return tasks;
+    }
+
+    /** {@return what the options change, by name} */
+    public static Map<String, String> meaningOfOptions() {
+        Map<String, String> meanings = new LinkedHashMap<>();
+        for (DomainRandomization.Name name : DomainRandomization.Name.values()) {
+            meanings.put(name.word(), name.meaning());
+        }
+        meanings.put(
+                "reward",
+                "a measure whose growth replaces the reward (negative if less is better): an objective of"
+                        + " robonewbie optimise, or a class of yours");
+        return meanings;
     }
 
     /**

@@ -9,11 +9,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Task: follow a commanded velocity, which is redrawn every 3 s. Reward per second: 1 minus the velocity error over the
- * last 0.4 s. The velocity error is the linear error divided by 0.3 m/s plus the turn rate error divided by 90°/s, at
- * most 1.5. A fall costs 5, so that diving forward does not pay off.
- */
+/** Task: follow a commanded velocity. A fall costs so much that diving forward does not pay off. */
 class FollowTraining extends CommandedTraining {
 
     private static final WalkVelocity MAX = new WalkVelocity(0.8, 0.2, 90);
@@ -83,6 +79,17 @@ class FollowTraining extends CommandedTraining {
     @Override
     public boolean isDone() {
         return !hasFallen() && maxReward > 0 && totalReward >= DONE_SHARE * maxReward;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 per second, less the error of the velocity in the last 0.4 s (1 for 0.3 m/s or 90"
+                + " degrees/s, 1.5 at most); a fall costs 5";
+    }
+
+    @Override
+    public String successRule() {
+        return "no fall, mean error at most 0.15 m/s, or 45 degrees/s, or a part of both";
     }
 
     @Override

@@ -20,13 +20,7 @@ import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
-/**
- * Task: follow velocities that change every 3 s, with a learned gait and learned corrections to the output of the walk
- * engine, while the robot is pushed once per second. Reward for each window of 0.4 s: 1 minus the velocity error, minus
- * a small penalty for the tilt of the torso. The velocity error is the linear error divided by the option
- * {@code tolerance} (in m/s) plus the turn rate error divided by 30°/s, at most 1.5. A fall costs 4, plus 1 for each
- * remaining window.
- */
+/** Task: follow velocities with a learned gait and learned corrections to the output of the walk engine. */
 final class GaitTraining extends CommandedTraining {
 
     private static final double BACKWARD = 0.3;
@@ -280,6 +274,13 @@ final class GaitTraining extends CommandedTraining {
     @Override
     public VelocityError velocityError() {
         return settledError;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 for each 0.4 s, less the error of the velocity (1 for the tolerance or 30 degrees/s,"
+                + " 1.5 at most) and a little for a leaning torso; a fall costs 4, and 1 for each 0.4 s that"
+                + " are lost; the command changes every 3 s, pushes come once per second";
     }
 
     @Override

@@ -18,8 +18,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: get up from lying on its front, and keep standing. Reward per second: uprightness of the torso times its
- * height, 1 for a standing robot. The episode is never terminated, so getting up early yields the largest return.
+ * Task: get up from lying on its front, and keep standing. The episode is never terminated, so getting up early yields
+ * the largest return.
  */
 class GetUpTraining extends TrainingTask {
 
@@ -93,6 +93,17 @@ class GetUpTraining extends TrainingTask {
     @Override
     public boolean isDecided() {
         return false;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "per second how upright the torso is (1, to 0 at 90 degrees) times its height (1 from"
+                + " 0.33 m); the robot lies on its front at first";
+    }
+
+    @Override
+    public String successRule() {
+        return "stands";
     }
 
     @Override

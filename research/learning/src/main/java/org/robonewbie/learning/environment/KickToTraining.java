@@ -13,9 +13,7 @@ import org.robonewbie.trial.measure.KickDistance;
 
 /**
  * Task: kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance
- * unless the option {@code distance} sets it. Return: 1 minus the relative error, which is the distance between the
- * target and the ball's resting position, divided by the target distance, and at most 2; −1 for a fall. Only the state
- * at the end of the episode counts.
+ * unless the option {@code distance} sets it. Only the state at the end of the episode counts.
  */
 final class KickToTraining extends TrainingTask {
 
@@ -85,6 +83,17 @@ final class KickToTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return !hasFallen() && error < DONE_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 less the distance from where the ball will lie to where it is wanted, relative to the"
+                + " distance wanted (2 at most); a fall costs 1";
+    }
+
+    @Override
+    public String successRule() {
+        return "the ball will lie within 0.5 m and the robot stands";
     }
 
     @Override

@@ -7,10 +7,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
-/**
- * Task: kick the ball forward. The ball lies in front of the right foot. Reward: 1 per metre of forward motion of the
- * ball, including its predicted roll; −1 for a fall.
- */
+/** Task: kick the ball forward. The ball lies in front of the right foot. */
 final class KickTraining extends TrainingTask {
 
     private static final Vector3 BALL = new Vector3(-2 + 0.19, -0.055, 0);
@@ -54,6 +51,16 @@ final class KickTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return !hasFallen() && distance.value() >= GOAL_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 per metre that the ball gets ahead, including its further roll; a fall costs 1";
+    }
+
+    @Override
+    public String successRule() {
+        return "3 m without a fall";
     }
 
     @Override

@@ -14,11 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Self-play of two teams until the first goal. Reward for a team: 10 for a goal and 1 per metre of forward motion of
- * the ball; the other team gets the same reward with the opposite sign. Additional reward for each robot: 0.2 per metre
- * by which it approaches the ball, −1 for a fall. A ball that leaves the pitch beside the goal is put back.
- */
+/** Self-play of two teams until the first goal. A ball that leaves the pitch beside the goal is put back. */
 final class MatchTraining extends TrainingTask {
 
     private static final String[] TEAMS = {"left", "right"};
@@ -197,6 +193,17 @@ final class MatchTraining extends TrainingTask {
     @Override
     public boolean isDecided() {
         return goal != 0;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "10 for a goal, 1 per metre of the ball ahead; the other team loses as much; 0.2 per"
+                + " metre nearer to the ball; a fall costs 1";
+    }
+
+    @Override
+    public String successRule() {
+        return "its team scores";
     }
 
     @Override

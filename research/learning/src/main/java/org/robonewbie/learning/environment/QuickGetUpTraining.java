@@ -9,9 +9,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 
 /**
- * Task: get up from lying on its front within 4 s by correcting the motion {@code quick-stand-up-from-front}, with the
- * reward of {@link GetUpTraining}. The robot falls with its arms in random positions, so it lies in a different posture
- * in each episode.
+ * Task: get up from lying on its front by correcting the motion {@code quick-stand-up-from-front}. The robot lies in a
+ * different posture in each episode.
  */
 final class QuickGetUpTraining extends GetUpTraining {
 
@@ -32,6 +31,11 @@ final class QuickGetUpTraining extends GetUpTraining {
             result = result.with(joint, joint.clampDegrees(posture.degrees(joint) + random.between(-max, max)));
         }
         return result;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "as GetUp; the robot has fallen with its arms anywhere";
     }
 
     @Override

@@ -12,10 +12,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Task: move the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: the
- * negative distance from the point in metres.
- */
+/** Task: move the left lower arm to a random point in front of and beside the left shoulder. */
 final class ReachTraining extends TrainingTask {
 
     private static final List<Joint> ARM =
@@ -77,6 +74,16 @@ final class ReachTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return arm.distanceTo(target) <= NEAR_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "in each cycle a loss of 1 per metre between the left lower arm and its target";
+    }
+
+    @Override
+    public String successRule() {
+        return "within 3 cm";
     }
 
     @Override

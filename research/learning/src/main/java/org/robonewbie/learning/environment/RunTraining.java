@@ -3,10 +3,7 @@ package org.robonewbie.learning.environment;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.trial.RandomSource;
 
-/**
- * Task: run straight ahead at a commanded speed of 0.9 to 1.3 m/s, constant within an episode. The reward is that of
- * {@link FollowTraining}, but the linear error is divided by 0.6 m/s.
- */
+/** Task: run straight ahead at a commanded speed that is constant within an episode. */
 final class RunTraining extends FollowTraining {
 
     private static final double MIN = 0.9;
@@ -14,6 +11,16 @@ final class RunTraining extends FollowTraining {
 
     RunTraining() {
         super(0.6);
+    }
+
+    @Override
+    public String rewardRule() {
+        return "as Follow, with one speed straight ahead from 0.9 to 1.3 m/s; an error of 0.6 m/s costs 1";
+    }
+
+    @Override
+    public String successRule() {
+        return "no fall, mean error at most 0.3 m/s, or 45 degrees/s, or a part of both";
     }
 
     @Override

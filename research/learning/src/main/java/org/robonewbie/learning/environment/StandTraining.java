@@ -5,8 +5,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: keep balance while being pushed from random sides once per second, each time harder than before. Reward per
- * cycle: 1 minus the tilt of the torso divided by 60°.
+ * Task: keep balance while being pushed from random sides once per second, each time harder than before.
  */
 final class StandTraining extends TrainingTask {
 
@@ -38,6 +37,17 @@ final class StandTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return standingCycles * Cycle.SECONDS >= GOAL_SECONDS;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "1 per cycle, less the lean of the torso (1 for 60 degrees); a push acts once per second,"
+                + " 8 N harder each time";
+    }
+
+    @Override
+    public String successRule() {
+        return "stands for 6 s, pushed with up to 40 N";
     }
 
     @Override

@@ -248,6 +248,16 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 0;
     }
 
+    /** {@return what earns and what costs reward, for help texts; by default empty} */
+    public String rewardRule() {
+        return "";
+    }
+
+    /** {@return what {@link #isDone} means, for help texts} */
+    public String successRule() {
+        return "no fall";
+    }
+
     /**
      * {@return whether the robot has achieved the goal of the task; training programs receive it as {@code
      * info["is_success"]}}

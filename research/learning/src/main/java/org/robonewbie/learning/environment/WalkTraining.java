@@ -5,10 +5,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
-/**
- * Task: walk forward. Reward: 10 per metre along the initial heading and 1 per second without a fall; −5 for a fall, so
- * that diving forward does not pay off. Each episode begins with a light push from a random side.
- */
+/** Task: walk forward. A fall costs so much that diving forward does not pay off. */
 final class WalkTraining extends TrainingTask {
 
     private static final double METRE_REWARD = 10;
@@ -38,6 +35,17 @@ final class WalkTraining extends TrainingTask {
     @Override
     public boolean isDone() {
         return !hasFallen() && distance.value() >= GOAL_METRES;
+    }
+
+    @Override
+    public String rewardRule() {
+        return "10 per metre along the first heading, 1 per second on the feet; a fall costs 5; a light"
+                + " push at the beginning";
+    }
+
+    @Override
+    public String successRule() {
+        return "2 m ahead without a fall";
     }
 
     @Override

@@ -143,9 +143,12 @@ function fill(list, entries) {
     }
     return item;
   });
-  if (items.length !== list.children.length || items.some((item, i) => item !== list.children[i])) {
-    list.replaceChildren(...items);
-  }
+  [...list.children].filter((item) => !items.includes(item)).forEach((item) => item.remove());
+  items.forEach((item, i) => {
+    if (item !== list.children[i]) {
+      list.insertBefore(item, list.children[i] ?? null); // moving the others would take the focus from them
+    }
+  });
 }
 
 /** @param {Entry} entry */
