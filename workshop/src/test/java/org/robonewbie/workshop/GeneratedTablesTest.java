@@ -163,8 +163,8 @@ class GeneratedTablesTest {
         List<String> rows = new ArrayList<>(header("scene", "what is there", "exercise"));
         Landscape.ALL.stream()
                 .filter(scene -> !scene.isBare())
-                .forEach(scene -> rows.add(
-                        row("`" + scene.name() + "`", withSign(scene.description()), exercisesIn(scene))));
+                .forEach(scene ->
+                        rows.add(row("`" + scene.name() + "`", withSign(scene.description()), exercisesIn(scene))));
         return rows;
     }
 
@@ -197,9 +197,7 @@ class GeneratedTablesTest {
     }
 
     private static String metres(double... lengths) {
-        return DoubleStream.of(lengths)
-                .mapToObj(GeneratedTablesTest::number)
-                .collect(Collectors.joining(", "));
+        return DoubleStream.of(lengths).mapToObj(GeneratedTablesTest::number).collect(Collectors.joining(", "));
     }
 
     private static List<String> contests() {

@@ -44,17 +44,17 @@ public record Landscape(String name, String description, List<Thing> things) {
     /** Two walls and two posts, light enough that a collision visibly moves them. */
     public static final Landscape OBSTACLES = new Landscape(
             "obstacles",
-            "two walls and two posts of cardboard",
+            "two walls and two posts to walk around",
             List.of(wall(-3.6, 0.7), post(-3.6, -1.3), wall(-2.2, -0.7), post(-2.2, 1.3)));
 
     /** A hill with a slope, a level top and steps down. */
     public static final Landscape SLOPE =
-            new Landscape("slope", "a hill: a slope of 5 degrees, a level top, two steps down behind it", hill());
+            new Landscape("slope", "a hill: a slope of 5 degrees, a level top, and two steps down", hill());
 
     /** A box that is wide enough for two robots to push side by side. */
     public static final Landscape BOX = new Landscape(
             "box",
-            "a box, to push alone or with a second robot",
+            "a wide box that robots can push, alone or together",
             List.of(Thing.movable("box", new Vector3(0.4, 1.6, 0.4), new Vector3(-3.2, 0, 0.2), 4)));
 
     /** All landscapes, the bare pitch first. */

@@ -62,7 +62,7 @@ public final class Contests {
      */
     public static Contest scoring(Conditions conditions, double seconds) {
         String rule = "One trial of " + Math.round(seconds)
-                + " s per team: the earliest goal wins, otherwise the ball closest to the goal at the end.";
+                + " s per team: the earliest goal wins; without a goal, the ball closest to the goal at the end.";
         StartPlace start = conditions.start(new StartPlace(2, -0.5, 0.4, -40));
         return new ChallengeContest(
                 "scoring",
@@ -111,8 +111,8 @@ public final class Contests {
         return new ChallengeContest(
                 "walk",
                 "Fastest walk",
-                "3 m straight ahead within 60 s: the fastest robot across the line, upright, wins; otherwise the distance walked"
-                        + " counts.",
+                "Walk 3 m straight ahead within 60 s. The fastest robot to cross the line upright wins; robots that do not"
+                        + " cross it are ranked by the distance walked.",
                 () -> new SoloChallenge<>(start, new Race(RACE_METRES), Contests::way),
                 start,
                 MINI_SECONDS,
@@ -140,7 +140,7 @@ public final class Contests {
         return new ChallengeContest(
                 "kick",
                 "Longest kick",
-                "How far the ball gets within 60 s from the place where it left the robot. Pushing it along gains nothing.",
+                "Kick the ball as far as possible within 60 s. The distance counts from where the ball left the robot.",
                 () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
                 start,
                 MINI_SECONDS,
@@ -160,7 +160,7 @@ public final class Contests {
         return new ChallengeContest(
                 "stand",
                 "Longest standing",
-                "A push every 3 s for 0.1 s from varying directions, each 5 N harder. The last robot standing wins.",
+                "A push of 0.1 s every 3 s, from varying directions, each 5 N harder. The last robot standing wins.",
                 () -> pushed(start, conditions.seed()),
                 start,
                 SCORING_SECONDS,
@@ -193,7 +193,7 @@ public final class Contests {
                 "gymnastics",
                 "Gymnastics",
                 "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn, lying"
-                        + " down and getting up. The most elements win; in a tie, the earlier last one.",
+                        + " down and getting up. The most elements win; in a tie, the team that completed its last element earlier.",
                 () -> new SoloChallenge<>(start, new Gymnastics(), Gymnastics::figures),
                 start,
                 MINI_SECONDS,

@@ -33,24 +33,24 @@ final class CycleTable {
     List<Column> columns() {
         List<Column> all = new ArrayList<>();
         all.add(Column.whole("run", "", "number of the run, from 1"));
-        all.add(Column.whole("cycle", "", "cycles of 20 ms since the start"));
+        all.add(Column.whole("cycle", "", "number of the 20 ms cycle since the start"));
         all.add(Column.decimal("seconds", "s", "simulated time since the start"));
         all.add(Column.decimal("play_seconds", "s", "game time"));
-        all.add(Column.text("play_mode", "SimSpark's name of the play mode"));
+        all.add(Column.text("play_mode", "the referee's play mode, as named by SimSpark"));
         all.add(Column.text("team", "the robot's team"));
         all.add(Column.whole("number", "", "the robot's number, 1 to 11"));
         addSensed(all);
-        addJoints(all, "command", "degrees/s", "last commanded speed, up to this cycle");
+        addJoints(all, "command", "degrees/s", "last commanded speed");
         addTrue(all);
         if (withMessages) {
-            all.add(Column.text("perceptors", "with --messages: what the server said"));
-            all.add(Column.text("effectors", "with --messages: what the agent said, with effect in this cycle"));
+            all.add(Column.text("perceptors", "with --messages: the message to the agent"));
+            all.add(Column.text("effectors", "with --messages: the agent's message that took effect in this cycle"));
         }
         return List.copyOf(all);
     }
 
     private static void addSensed(List<Column> all) {
-        addJoints(all, "sensed", "degrees", "angle, rounded to hundredths");
+        addJoints(all, "sensed", "degrees", "measured angle, rounded to hundredths");
         addVector(all, "gyro", AXES, "degrees/s", "angular velocity of the torso");
         addVector(all, "accelerometer", AXES, "m/s2", "acceleration of the torso");
         for (String foot : List.of("left_foot", "right_foot")) {
@@ -67,13 +67,12 @@ final class CycleTable {
                 "true_torso",
                 WORLD_AXES,
                 "m",
-                "x to the right goal, y to the left of it, z up");
+                "centre of the torso: x towards the right goal, y to the left of that direction, z up");
         for (String part : List.of("w", "x", "y", "z")) {
             all.add(Column.decimal(
                     "true_torso_q" + part, "", "rotation; the axes of the torso are right, forward, up"));
         }
-        all.add(Column.decimal(
-                "true_heading", "degrees", "0 towards the right goal, positive to the left"));
+        all.add(Column.decimal("true_heading", "degrees", "0 towards the right goal, positive to the left"));
         all.add(Column.decimal("true_tilt", "degrees", "0 upright, 90 lying"));
         addJoints(all, "true", "degrees", "true angle");
         addVector(all, "true_ball", WORLD_AXES, "m", "centre of the ball");

@@ -28,15 +28,10 @@ final class SeenAndSaid {
         for (Landmark landmark : Landmark.values()) {
             addPosition(all, landmark.name().toLowerCase(Locale.ROOT));
         }
-        all.add(
-                Column.text(
-                        "players",
-                        "JSON: team, number; distance (m), horizontal, vertical (degrees) of each part"));
-        all.add(
-                Column.text(
-                        "heard",
-                        "JSON: team, direction (degrees to the left; none for its own), text"));
-        all.add(Column.text("said", "what it says in this cycle"));
+        all.add(Column.text(
+                "players", "JSON: team, number; distance (m), horizontal, vertical (degrees) of each part"));
+        all.add(Column.text("heard", "JSON: team, direction (degrees to the left; none for its own messages), text"));
+        all.add(Column.text("said", "the message that the agent sends in this cycle"));
     }
 
     private static void addPosition(List<Column> all, String name) {

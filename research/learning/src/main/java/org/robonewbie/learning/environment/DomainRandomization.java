@@ -39,35 +39,34 @@ public final class DomainRandomization {
     static final double MAX_DISTANCE = 8;
 
     enum Name {
-        X("where the robot stands, metres"),
+        X("start position of the robot, metres"),
         Y(X.meaning),
-        HEADING("where the robot looks, degrees (0: to the right goal)"),
-        BALL_X("where the ball lies, metres"),
+        HEADING("start heading of the robot, degrees (0: towards the right goal)"),
+        BALL_X("start position of the ball, metres"),
         BALL_Y(BALL_X.meaning),
-        PUSH("newtons by which the pushes, one per second, get harder; in gait tasks newtons of the hardest"),
+        PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
         DELAY("additional cycles until an action reaches the motors", 0, 1000),
-        CYCLES("how many cycles an action lasts (1); rewards add up", 1, 1000),
+        CYCLES("cycles per action (1); their rewards are added", 1, 1000),
         NOISE(
-                "standard deviation of errors on top of each joint angle (degrees), gyro (degrees/s) and accelerometer"
-                        + " (m/s2)",
+                "standard deviation of additional noise of joint angles (degrees), gyro (degrees/s) and accelerometer (m/s2)",
                 0,
                 1000),
-        FRICTION("how well all surfaces hold; 1 as usual", 0.01, 100),
-        MASS("mass of the robot; 1 as usual", 0.1, 10),
+        FRICTION("factor for the friction of all surfaces (1)", 0.01, 100),
+        MASS("factor for the mass of the robot (1)", 0.1, 10),
         FORWARD(
-                "velocity to follow, m/s and degrees/s; Follow, Run, engine and gait tasks only, which else draw their own",
+                "velocity to follow in Follow, Run, engine and gait tasks, m/s and degrees/s (random)",
                 -MAX_SPEED,
                 MAX_SPEED),
         LEFT(FORWARD.meaning, -MAX_SPEED, MAX_SPEED),
         TURN(FORWARD.meaning, -MAX_TURN, MAX_TURN),
-        DISTANCE("how far the ball is to go in KickTo, 0 to 8 m; else each episode draws 2 to 6 m", 0, MAX_DISTANCE),
-        SPEED("in gait tasks: speeds straight ahead, m/s", 0.01, MAX_SPEED),
-        STEP("in gait tasks: milliseconds of a step, a multiple of 20", 20, 1000),
-        SLOW("in gait tasks: share of later commands that slow down", 0, 1),
-        TOLERANCE("in gait tasks: error that leaves no reward, m/s", 0.01, MAX),
-        CONSTANT("in gait tasks: share of episodes with one command (0.4)", 0, 1),
-        TYPE("in gait tasks: types of the robots (0..4: in turn)", 0, 4),
-        SECONDS("in gait tasks: seconds of an episode (9)", 0.02, MAX);
+        DISTANCE("wanted distance of the ball in KickTo, 0 to 8 m (random, 2 to 6 m)", 0, MAX_DISTANCE),
+        SPEED("in gait tasks: speed straight ahead, m/s", 0.01, MAX_SPEED),
+        STEP("in gait tasks: duration of a step, a multiple of 20 ms", 20, 1000),
+        SLOW("in gait tasks: share of the later commands that slow down", 0, 1),
+        TOLERANCE("in gait tasks: velocity error at which the reward is 0, m/s", 0.01, MAX),
+        CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
+        TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4),
+        SECONDS("in gait tasks: duration of an episode, seconds (9)", 0.02, MAX);
 
         private final String meaning;
         private final double min;

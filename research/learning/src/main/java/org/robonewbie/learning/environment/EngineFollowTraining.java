@@ -65,8 +65,8 @@ class EngineFollowTraining extends CommandedTraining {
 
     @Override
     public String rewardRule() {
-        return "1 per metre in the commanded direction, which changes every 3 s (0.6 to 1 m/s ahead, up"
-                + " to 30 degrees/s to a side); a fall costs 3; steps of 140 ms";
+        return "1 per metre in the commanded direction; a fall costs 3. Every 3 s a new command: 0.6 to 1 m/s "
+                + "ahead and up to 30 degrees/s to a side, in steps of 140 ms";
     }
 
     @Override

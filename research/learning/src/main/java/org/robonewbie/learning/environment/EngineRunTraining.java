@@ -34,8 +34,8 @@ final class EngineRunTraining extends EngineFollowTraining {
 
     @Override
     public String rewardRule() {
-        return "1 per metre along the first heading; a fall costs 3; one speed of 0.7 to 1.1 m/s, steps"
-                + " of 140 ms; a light push at the beginning";
+        return "1 per metre along the initial heading; a fall costs 3. One speed of 0.7 to 1.1 m/s, in steps of "
+                + "140 ms; a light push at the start";
     }
 
     @Override

@@ -62,8 +62,8 @@ public record EnvironmentSpec(String task, List<String> options) {
         }
         meanings.put(
                 "reward",
-                "a measure whose growth replaces the reward (negative if less is better): an objective of"
-                        + " robonewbie optimise, or a class of yours");
+                "a measure whose increase replaces the reward (decrease if less is better): an objective of"
+                        + " robonewbie optimise, or a custom class");
         return meanings;
     }
 

@@ -83,13 +83,13 @@ class FollowTraining extends CommandedTraining {
 
     @Override
     public String rewardRule() {
-        return "1 per second, less the error of the velocity in the last 0.4 s (1 for 0.3 m/s or 90"
-                + " degrees/s, 1.5 at most); a fall costs 5";
+        return "1 per second, minus the velocity error over the last 0.4 s (1 for 0.3 m/s or 90 degrees/s, at "
+                + "most 1.5); a fall costs 5";
     }
 
     @Override
     public String successRule() {
-        return "no fall, mean error at most 0.15 m/s, or 45 degrees/s, or a part of both";
+        return "no fall, and a mean error of at most 0.15 m/s or 45 degrees/s, or a mixture of both";
     }
 
     @Override

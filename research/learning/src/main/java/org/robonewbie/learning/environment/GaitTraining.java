@@ -278,9 +278,9 @@ final class GaitTraining extends CommandedTraining {
 
     @Override
     public String rewardRule() {
-        return "1 for each 0.4 s, less the error of the velocity (1 for the tolerance or 30 degrees/s,"
-                + " 1.5 at most) and a little for a leaning torso; a fall costs 4, and 1 for each 0.4 s that"
-                + " are lost; the command changes every 3 s, pushes come once per second";
+        return "1 per 0.4 s, minus the velocity error (1 for the tolerance or 30 degrees/s, at most 1.5) and a "
+                + "little for a leaning torso; a fall costs 4, plus 1 for each 0.4 s left. A new command every 3 "
+                + "s, a push every second";
     }
 
     @Override

@@ -97,8 +97,8 @@ class GetUpTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "per second how upright the torso is (1, to 0 at 90 degrees) times its height (1 from"
-                + " 0.33 m); the robot lies on its front at first";
+        return "per second, the uprightness of the torso (1 upright, 0 at 90 degrees) times its height (1 from "
+                + "0.33 m). The robot starts lying on its front";
     }
 
     @Override

@@ -87,13 +87,13 @@ final class KickToTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "1 less the distance from where the ball will lie to where it is wanted, relative to the"
-                + " distance wanted (2 at most); a fall costs 1";
+        return "1 minus the distance between where the ball will stop and its target, relative to the wanted "
+                + "distance (at most 2); a fall costs 1";
     }
 
     @Override
     public String successRule() {
-        return "the ball will lie within 0.5 m and the robot stands";
+        return "the ball will stop within 0.5 m of the target and the robot stands";
     }
 
     @Override

@@ -55,7 +55,7 @@ final class KickTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "1 per metre that the ball gets ahead, including its further roll; a fall costs 1";
+        return "1 per metre that the ball moves forward, including the roll still to come; a fall costs 1";
     }
 
     @Override

@@ -197,13 +197,13 @@ final class MatchTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "10 for a goal, 1 per metre of the ball ahead; the other team loses as much; 0.2 per"
-                + " metre nearer to the ball; a fall costs 1";
+        return "10 for a goal and 1 per metre that the ball moves forward, both deducted from the other team; "
+                + "0.2 per metre that the robot approaches the ball; a fall costs 1";
     }
 
     @Override
     public String successRule() {
-        return "its team scores";
+        return "the team scores";
     }
 
     @Override

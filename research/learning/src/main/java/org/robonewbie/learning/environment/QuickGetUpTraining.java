@@ -35,7 +35,7 @@ final class QuickGetUpTraining extends GetUpTraining {
 
     @Override
     public String rewardRule() {
-        return "as GetUp; the robot has fallen with its arms anywhere";
+        return "as GetUp, after a fall with the arms in random positions";
     }
 
     @Override

@@ -78,7 +78,7 @@ final class ReachTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "in each cycle a loss of 1 per metre between the left lower arm and its target";
+        return "per cycle, minus the distance in metres between the left lower arm and its target";
     }
 
     @Override

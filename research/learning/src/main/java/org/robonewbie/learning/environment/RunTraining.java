@@ -15,12 +15,12 @@ final class RunTraining extends FollowTraining {
 
     @Override
     public String rewardRule() {
-        return "as Follow, with one speed straight ahead from 0.9 to 1.3 m/s; an error of 0.6 m/s costs 1";
+        return "as Follow, with one speed of 0.9 to 1.3 m/s straight ahead; an error of 0.6 m/s costs 1";
     }
 
     @Override
     public String successRule() {
-        return "no fall, mean error at most 0.3 m/s, or 45 degrees/s, or a part of both";
+        return "no fall, and a mean error of at most 0.3 m/s or 45 degrees/s, or a mixture of both";
     }
 
     @Override

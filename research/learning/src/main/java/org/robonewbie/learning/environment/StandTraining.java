@@ -41,8 +41,7 @@ final class StandTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "1 per cycle, less the lean of the torso (1 for 60 degrees); a push acts once per second,"
-                + " 8 N harder each time";
+        return "1 per cycle, minus the tilt of the torso (1 for 60 degrees). A push every second, each 8 N " + "harder";
     }
 
     @Override

@@ -248,12 +248,12 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 0;
     }
 
-    /** {@return what earns and what costs reward, for help texts; by default empty} */
+    /** {@return what is rewarded and what is penalised, for help texts; empty by default} */
     public String rewardRule() {
         return "";
     }
 
-    /** {@return what {@link #isDone} means, for help texts} */
+    /** {@return the condition for success, for help texts} */
     public String successRule() {
         return "no fall";
     }

@@ -39,8 +39,8 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "10 per metre along the first heading, 1 per second on the feet; a fall costs 5; a light"
-                + " push at the beginning";
+        return "10 per metre along the initial heading and 1 per second without a fall; a fall costs 5. A light "
+                + "push at the start";
     }
 
     @Override
