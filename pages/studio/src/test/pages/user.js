@@ -56,11 +56,9 @@ export async function openWebEdition(t, { to = '', files, ...look } = {}) {
 /** Opens an empty page for a user, of which the page must not complain until the test ends. */
 export async function newUser(t, look = {}) {
   const { page, complaints } = await openPage(t, look);
-  return new User(t, page, complaints);
+  const isFirefox = /firefox/i.test(await page.browser().version());
+  return new User(t, page, complaints, isFirefox ? '>>> ' : '');
 }
-
-/** Returns Puppeteer's selector of what has a role and a name in the accessibility tree. */
-const named = (role, name) => `::-p-aria([role="${role}"][name="${name.replaceAll('"', '\\"')}"])`;
 
 const matches = (text, wanted) => (typeof wanted === 'string' ? text.includes(wanted) : wanted.test(text));
 
@@ -94,9 +92,12 @@ function paste(field, text) {
 
 class User {
   #expected = /^$/;
+  #everywhere;
 
-  constructor(t, page, complaints) {
+  /** `everywhere` begins a selector of what is in shadow trees too. */
+  constructor(t, page, complaints, everywhere) {
     this.page = page;
+    this.#everywhere = everywhere;
     this.complaints = complaints;
     atEnd(t, () =>
       assert.deepEqual(
@@ -150,27 +151,34 @@ class User {
     );
   }
 
+  /** Returns Puppeteer's selector of what has a role and a name in the accessibility tree. */
+  #named(role, name) {
+    return `${this.#everywhere}::-p-aria([role="${role}"][name="${name.replaceAll('"', '\\"')}"])`;
+  }
+
   /** Waits until what has this role and name is visible, and returns its handle. */
   async finds(role, name) {
-    return this.#told(`finds ${role} "${name}"`, () => this.page.waitForSelector(named(role, name), { visible: true }));
+    return this.#told(`finds ${role} "${name}"`, () =>
+      this.page.waitForSelector(this.#named(role, name), { visible: true }),
+    );
   }
 
   /** Waits until nothing visible has this role and name. */
   async findsNo(role, name) {
     await this.#told(`finds no ${role} "${name}"`, () =>
-      this.page.waitForSelector(named(role, name), { hidden: true }),
+      this.page.waitForSelector(this.#named(role, name), { hidden: true }),
     );
   }
 
   /** Clicks what has this role and name, as soon as it is visible and enabled. */
   async clicks(role, name) {
     await this.#waitsForTheRoom();
-    await this.#told(`clicks ${role} "${name}"`, () => this.page.locator(named(role, name)).click());
+    await this.#told(`clicks ${role} "${name}"`, () => this.page.locator(this.#named(role, name)).click());
   }
 
   /** Fills a field, chooses an option by its value or moves a slider, as soon as it is enabled. */
   async fills(role, name, value) {
-    await this.#told(`fills ${role} "${name}"`, () => this.page.locator(named(role, name)).fill(value));
+    await this.#told(`fills ${role} "${name}"`, () => this.page.locator(this.#named(role, name)).fill(value));
   }
 
   /** Replaces the program in the editor, as by pasting, once there is one. */
