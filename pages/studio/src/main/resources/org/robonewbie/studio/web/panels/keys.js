@@ -100,7 +100,8 @@ function isForPage(event) {
   if (target.shadowRoot) {
     return false;
   }
-  const pressing = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) && event.key === ' ';
+  const isPressed = ['BUTTON', 'A', 'SUMMARY'].includes(target.tagName) || target.matches('[type=checkbox]');
+  const pressing = isPressed && event.key === ' ';
   const forDocument = hasCtrl(event) && FOR_DOCUMENT.includes(keyOf(event).toLowerCase());
   const takesUndo = target.closest('#motion-room') === null && WRITTEN.has(/** @type {any} */ (target).type);
   const isElsewhere = !isTyping(target) || (forDocument && !takesUndo);
@@ -110,7 +111,7 @@ function isForPage(event) {
 /** @param {HTMLElement} target @returns {boolean} whether it accepts text input */
 export function isTyping(target) {
   const isField = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName);
-  return isField && /** @type {HTMLInputElement} */ (target).type !== 'range';
+  return isField && !['range', 'checkbox'].includes(/** @type {HTMLInputElement} */ (target).type);
 }
 
 /** @param {Action} action @param {KeyboardEvent} event */
