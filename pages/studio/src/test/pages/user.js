@@ -12,6 +12,8 @@ import { atEnd } from './tests.js';
 /** Folder of the web edition. */
 export const WEB_EDITION =
   process.env.WEB_EDITION ?? fileURLToPath(new URL('../../../../web/target/web', import.meta.url));
+/** Look of a studio of which a test takes pictures; nothing if no pictures are kept, because drawing them takes most of the time. */
+export const FOR_PICTURES = process.env.PICTURES ? { isSharp: true, quality: 'high' } : {};
 /** Name of the text field with the program in the Program room. */
 export const EDITOR = 'Program. Press Escape, then Tab, to leave the editor.';
 const POLL_MILLIS = 25;
@@ -302,13 +304,11 @@ class User {
     return this.page.evaluate(coloursOf, await this.page.screenshot({ clip, encoding: 'base64' }));
   }
 
-  /** Takes a picture of the page, which must be sharp, and keeps it in the folder that the environment variable PICTURES names. */
+  /** Keeps a picture of the page in the folder that the environment variable PICTURES names, if there is one. */
   async takesAPicture(name) {
-    const picture = Buffer.from(await this.page.screenshot());
     if (process.env.PICTURES) {
-      await writeFile(join(process.env.PICTURES, `${name}.png`), picture);
+      await writeFile(join(process.env.PICTURES, `${name}.png`), Buffer.from(await this.page.screenshot()));
     }
-    return picture;
   }
 
   /** Waits until a condition holds, which may be a promise; `what` describes it in the message of a failure. */

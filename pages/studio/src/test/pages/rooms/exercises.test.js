@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { picture, quick, slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { FOR_PICTURES, openStudio } from '../user.js';
 
 const ARMS = '1 Raise both arms first steps · 15 min';
 const KICK = '12 A kick of your own challenge · 120 min';
@@ -144,7 +144,7 @@ slow('exercises are translated to German', async (t) => {
 });
 
 picture('the exercises are shown beside a trial', async (t) => {
-  const { user } = await openExercises(t, { isSharp: true, quality: 'high' });
+  const { user } = await openExercises(t, FOR_PICTURES);
   await choosesArms(user);
   await tries(user);
   await user.finds('DisclosureTriangle', 'Program output');

@@ -4,7 +4,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { findsNoBarrier } from '../accessibility.js';
 import { slow } from '../tests.js';
-import { EDITOR, openStudio } from '../user.js';
+import { EDITOR, FOR_PICTURES, openStudio } from '../user.js';
 
 const LEVELS = ['Make the robot wave', 'Make it look at the ball', 'Make it walk to the ball and kick'];
 const [WAVE, LOOK] = LEVELS;
@@ -126,7 +126,7 @@ slow('a returning user sees the field first', async (t) => {
 for (const theme of ['light', 'dark']) {
   for (const width of [1366, 1024]) {
     slow(`the ${theme} levels are accessible and worth a picture at ${width} pixels`, async (t) => {
-      const { user } = await openAsNewcomer(t, { theme, width, quality: 'high', isSharp: true });
+      const { user } = await openAsNewcomer(t, { theme, width, ...FOR_PICTURES });
       const takesAPicture = (name) => user.takesAPicture(`first-minute-${theme}-${width}-${name}`);
 
       for (const [i, level] of LEVELS.entries()) {

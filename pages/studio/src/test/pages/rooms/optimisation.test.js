@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { picture, slow } from '../tests.js';
 import { folderWith, openStage } from '../stage.js';
-import { newUser } from '../user.js';
+import { FOR_PICTURES, newUser } from '../user.js';
 
 const ROUNDS = 30;
 const TASK = {
@@ -149,7 +149,7 @@ slow('a browser that is not signed in sees nothing', async (t) => {
 });
 
 picture('the page of an optimisation fits its width in both themes', async (t) => {
-  const { user, stage, visit } = await openSearch(t, { isSharp: true });
+  const { user, stage, visit } = await openSearch(t, FOR_PICTURES);
   await reach(stage, 1, 22);
   for (const theme of ['dark', 'light']) {
     await visit(`&theme=${theme}`);

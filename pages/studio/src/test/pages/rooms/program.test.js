@@ -4,7 +4,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { quick, slow } from '../tests.js';
-import { EDITOR, openStudio } from '../user.js';
+import { EDITOR, FOR_PICTURES, openStudio } from '../user.js';
 
 const thinking = (...lines) => `import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Joint;
@@ -90,7 +90,7 @@ for (const theme of ['light', 'dark']) {
   slow(`the ${theme} program beside its robot is worth a picture`, async (t) => {
     const plot = 'nao.plot("x", 3);';
     const program = thinking(plot, atSpeed('4 * (60 - angle)'));
-    const studio = await openWith(t, program, { theme, quality: 'high', isSharp: true });
+    const studio = await openWith(t, program, { theme, ...FOR_PICTURES });
     const { user } = studio;
 
     await user.clicks('button', '▶ Run');

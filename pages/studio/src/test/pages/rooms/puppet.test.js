@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { connect } from 'node:net';
 import { atEnd, slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { FOR_PICTURES, openStudio } from '../user.js';
 
 const ARM = 'left shoulder pitch';
 const COMMAND = /\.\/robonewbie run Agent_BasicStructure --port (\d+)/;
@@ -155,7 +155,7 @@ slow('a slider moves an arm and a scene keeps it', async (t) => {
 });
 
 slow('a puppet with a raised arm looks as it should', async (t) => {
-  const studio = await openField(t, { isSharp: true });
+  const studio = await openField(t, FOR_PICTURES);
   await addPuppet(studio);
   await raiseArm(studio);
 

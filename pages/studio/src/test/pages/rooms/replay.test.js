@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { copyFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { picture, quick, slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { FOR_PICTURES, openStudio } from '../user.js';
 
 const NOTES = [
   { seconds: 1, robot: 'Blue Newbies 1', level: 'INFO', text: 'I see the ball' },
@@ -196,7 +196,7 @@ slow('a replay without recordings says so', async (t) => {
 });
 
 picture('the replay fits the width of the page', async (t) => {
-  const { user } = await openReplay(t, { quality: 'high', isSharp: true });
+  const { user } = await openReplay(t, FOR_PICTURES);
 
   await user.presses('End');
 

@@ -1,7 +1,7 @@
 /** A student inspects one robot: its joints, senses, surroundings, curves, log and messages. */
 import assert from 'node:assert/strict';
 import { picture, quick, slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { FOR_PICTURES, openStudio } from '../user.js';
 
 const TEAM = 'Blue_Newbies';
 const LOG = ['list', 'Log of the robot'];
@@ -188,7 +188,7 @@ slow('all rooms follow the shown moment while the simulation runs', async (t) =>
 });
 
 picture('a playing robot is shown with what it sees, feels, shouts, orders and believes', async (t) => {
-  const studio = await openRobot(t, { robots: [], isPlaying: true, isSharp: true, quality: 'high' });
+  const studio = await openRobot(t, { robots: [], isPlaying: true, ...FOR_PICTURES });
   const { user, stage } = studio;
   await user.until(async () => (await user.page.$$('.camera .post, .camera .field-line')).length > 3);
   await user.sees(/Left foot\s+\d+ N[^]*Right foot\s+\d+ N[^]*“step\d+”/);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { findsNoBarrier } from '../accessibility.js';
 import { folderWith, openStage } from '../stage.js';
 import { slow } from '../tests.js';
-import { newUser } from '../user.js';
+import { FOR_PICTURES, newUser } from '../user.js';
 
 const ALONE = 'http://127.0.0.1:3999/';
 const TEAMS = ['Red', 'Blue'];
@@ -114,7 +114,7 @@ for (const theme of ['light', 'dark']) {
   });
 
   slow(`the wall of a contest fits on its page in the ${theme} theme`, async (t) => {
-    const { user, contest } = await openWall(t, { theme, isSharp: true });
+    const { user, contest } = await openWall(t, { theme, ...FOR_PICTURES });
     await contest.wall({ result: 'Green goal 8.46', of: 'scoring-Green' });
     await contest.wall({ table: tableWith(1, '8.46 s') });
     await user.sees('8.46 s');
