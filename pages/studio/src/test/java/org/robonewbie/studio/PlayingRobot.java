@@ -19,10 +19,6 @@ final class PlayingRobot implements AutoCloseable {
         this.simulator = simulator;
     }
 
-    static PlayingRobot start() throws IOException {
-        return start(OptionalInt.empty());
-    }
-
     /** Starts it with an optional monitor port. */
     static PlayingRobot start(OptionalInt monitorPort) throws IOException {
         SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner())

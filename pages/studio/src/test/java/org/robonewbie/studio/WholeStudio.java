@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.file.RecordingRepository;
 
@@ -25,10 +24,6 @@ final class WholeStudio implements AutoCloseable {
     /** A new address of the page, to which options and the room can be appended. */
     String oneTimeAddress() {
         return studio.oneTimeAddress().toString();
-    }
-
-    TelemetrySink telemetry() {
-        return studio.telemetry();
     }
 
     @Override
