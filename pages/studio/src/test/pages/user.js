@@ -128,8 +128,13 @@ class User {
     }, fragment);
   }
 
+  /** Waits until no part of the page is busy; a page that is being replaced is asked again. */
   async #waitsForTheRoom() {
-    await this.page.waitForSelector('[aria-busy="true"]', { hidden: true });
+    const isCalm = () => this.page.evaluate(() => document.querySelector('[aria-busy="true"]') === null);
+    await this.until(
+      () => isCalm().catch(() => false),
+      () => 'waits for the room',
+    );
   }
 
   /** Returns all visible text. */

@@ -34,7 +34,7 @@ slow('shapes and texts of teams are in the picture and in the list of sets', asy
   await send(stage, ...circle, ...words, ...SWAP, ...text('Stars'));
 
   await shows(user, 240, 'I go to the ball');
-  await user.clicks('button', 'Tools');
+  await user.clicks('button', 'Tools ▾');
   await user.clicks('DisclosureTriangle', 'Sets');
   await user.clicks('checkbox', 'Stars.circle');
 
