@@ -1,5 +1,5 @@
 /** Studios for the tests, which run in one Java process. */
-import { execFile, spawn } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -7,7 +7,6 @@ import { delimiter, dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { promisify } from 'node:util';
 import { atEnd } from './tests.js';
 
 /** Class path of the tests of `app`, as it is after `./mvnw package`. */
@@ -48,9 +47,6 @@ function startStage() {
   }
   return { process, ask };
 }
-
-/** Runs a main class with arguments until it ends. */
-export const runJava = (...words) => promisify(execFile)('java', [...JAVA, ...words]);
 
 /**
  * Starts a command that opens a studio of its own, such as `run MyRobot.java`, until the test ends.
