@@ -56,15 +56,15 @@ export function launch({ inFirefox = isFirefox, flags = [], preferences = {}, pr
  * are left out, because they take most of the time without a graphics card; positions and sizes do not change.
  *
  * @param {import('node:test').TestContext} t the test that owns the page
- * @param {{ width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object, inProfile?: boolean,
- *   before?: () => void }} look `browser` is one from {@link launch}, which keeps in its profile what a page `inProfile` stores; `before`
- *   runs in each document before its own scripts
+ * @param {{ width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object, before?: () => void }} look
+ *   `browser` is one from {@link launch}; `before` runs in each document before its own scripts
  */
 export async function openPage(
   t,
-  { width = 1366, height = 768, isNewcomer = false, isSharp = false, browser, inProfile = false, before },
+  { width = 1366, height = 768, isNewcomer = false, isSharp = false, browser, before },
 ) {
-  const context = inProfile ? browser.defaultBrowserContext() : await newContext(t, browser);
+  const context = await (browser ?? (shared ??= await launch())).createBrowserContext();
+  atEnd(t, () => context.close());
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MILLIS);
   await page.setViewport({ width, height, deviceScaleFactor: isSharp ? 1 : COARSE });
@@ -75,12 +75,6 @@ export async function openPage(
   }
   page.on('dialog', (dialog) => dialog.accept());
   return { page, complaints: complaintsOf(page) };
-}
-
-async function newContext(t, browser) {
-  const context = await (browser ?? (shared ??= await launch())).createBrowserContext();
-  atEnd(t, () => context.close());
-  return context;
 }
 
 function skipTheFirstMinute() {

@@ -43,8 +43,8 @@ export async function openStudio(t, options = {}) {
  *
  * @param {import('node:test').TestContext} t
  * @param {{ to?: string, files?: Record<string, string>, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean,
- *   browser?: object, inProfile?: boolean, before?: () => void }} options `to` is what follows the address of the folder, such as
- *   `#program`; `files` are served before those of the page
+ *   browser?: object, before?: () => void }} options `to` is what follows the address of the folder, such as `#program`; `files` are
+ *   served before those of the page
  */
 export async function openWebEdition(t, { to = '', files, ...look } = {}) {
   const folder = await folderWith(t, files);
