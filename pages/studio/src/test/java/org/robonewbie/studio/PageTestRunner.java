@@ -48,7 +48,8 @@ final class PageTestRunner {
 
     private static Process start(String folder, String tests, String part, Map<String, String> environment, Path output)
             throws IOException {
-        String all = NodeTool.project().resolve("pages/studio/src/test/pages/all.js").toString();
+        String all =
+                NodeTool.project().resolve("pages/studio/src/test/pages/all.js").toString();
         ProcessBuilder builder = new ProcessBuilder(Tool.NODE.orSkip().toString(), all, folder);
         builder.environment().putAll(environment);
         builder.environment().putAll(Map.of("TESTS", tests, "PART", part));
