@@ -199,8 +199,14 @@ slow('the wheel zooms to the pointer', async (t) => {
   const [x, y] = await user.pointOf(3, 1, 0);
   const [left] = await user.pointOf(2, 1, 0);
 
-  await user.page.mouse.move(x, y);
-  await user.page.mouse.wheel({ deltaY: -500 });
+  await user.page.evaluate(
+    (clientX, clientY) => {
+      const wheel = new WheelEvent('wheel', { deltaY: -500, clientX, clientY, cancelable: true });
+      studio.view.stage.dispatchEvent(wheel);
+    },
+    x,
+    y,
+  );
 
   await user.until(async () => x - (await user.pointOf(2, 1, 0))[0] > 1.3 * (x - left));
   const [nowX, nowY] = await user.pointOf(3, 1, 0);

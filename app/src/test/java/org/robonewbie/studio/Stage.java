@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -57,7 +58,7 @@ final class Stage {
             return Map.of("id", opened, "drawingPort", studios.get(opened).drawingPort());
         }
         int id = request.get("id").getAsInt();
-        StagedStudio studio = studios.get(id);
+        StagedStudio studio = studio(id);
         return switch (request.get("do").getAsString()) {
             case "address" -> Map.of("address", studio.address());
             case "world" -> world(studio.simulation().latest());
@@ -68,7 +69,7 @@ final class Stage {
             case "pageFile" ->
                 Map.of("path", studio.pageFile(request.get("folder").getAsString()));
             case "wall" -> {
-                studio.wall().tell(request, trial -> studios.get(trial).simulation());
+                studio.wall().tell(request, trial -> studio(trial).simulation());
                 yield Map.of();
             }
             case "tell" -> {
@@ -104,6 +105,10 @@ final class Stage {
         } catch (BindException portIsTaken) {
             return new StagedStudio(request);
         }
+    }
+
+    private StagedStudio studio(int id) {
+        return Objects.requireNonNull(studios.get(id), "no studio " + id);
     }
 
     private static Map<String, Object> world(WorldSnapshot now) {
