@@ -24,12 +24,12 @@ const EXAMPLES = [
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
-/** @param {Response} example @param {string} name @returns {Promise<Response>} the example as the user's program */
-async function renamed(example, name) {
-  const text = await example.text();
+/** @param {Response} answer @param {string} name @returns {Promise<Response>} an example as the user's program */
+async function renamed(answer, name) {
+  const text = await answer.text();
   const [, old = name] = /public (?:final )?class (\w+)/.exec(text) ?? [];
   const own = text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
-  return new Response(own, { status: example.status });
+  return new Response(own, { status: answer.status });
 }
 
 export class ProgramServer {

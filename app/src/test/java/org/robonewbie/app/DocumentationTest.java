@@ -83,13 +83,17 @@ class DocumentationTest {
 
     @Test
     void everyScreenshotIsMadeByATest() throws IOException {
-        String tests = Project.sources("Test.java").stream().map(Project::read).collect(Collectors.joining());
+        String tests = Stream.of("Test.java", ".test.js")
+                .flatMap(ending -> Project.sources(ending).stream())
+                .map(Project::read)
+                .collect(Collectors.joining());
 
         try (Stream<Path> files = Files.list(Project.ROOT.resolve("docs/images"))) {
             assertThat(files)
                     .map(file -> file.getFileName().toString())
                     .filteredOn(name -> name.endsWith(".png"))
-                    .allMatch(name -> tests.contains("\"docs/images/" + name + "\""));
+                    .allMatch(name -> tests.contains("\"docs/images/" + name + "\"")
+                            || tests.contains("takesAPicture('" + name.replace(".png", "") + "')"));
         }
     }
 

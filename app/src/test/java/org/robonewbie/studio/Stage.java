@@ -46,8 +46,8 @@ final class Stage {
         try {
             return answer(JsonParser.parseString(line).getAsJsonObject());
         } catch (IOException | RuntimeException | AssertionError failed) {
-            failed.printStackTrace();
-            return Map.of("error", failed.toString());
+            failed.printStackTrace(System.err);
+            return Map.of("error", String.valueOf(failed.getMessage()));
         }
     }
 
