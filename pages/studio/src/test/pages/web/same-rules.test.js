@@ -25,6 +25,8 @@ const FILES = [
   ['PUT', 'programs/own/a%20b.java', { body: PROGRAM, known: '' }],
   ['PUT', 'programs/own/CON.java', { body: PROGRAM, known: '' }],
   ['PUT', 'programs/own/..%2FAda.java', { body: PROGRAM, known: '' }],
+  ['PUT', `programs/own/${'A'.repeat(80)}.java`, { body: PROGRAM, known: '' }],
+  ['PUT', `programs/own/${'A'.repeat(81)}.java`, { body: PROGRAM, known: '' }],
   ['GET', 'programs/own/Nobody.java'],
   ['GET', 'programs/example/Agent_Wave'],
   ['GET', 'programs/example/Agent_Nobody'],

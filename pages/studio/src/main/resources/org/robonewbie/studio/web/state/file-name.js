@@ -50,6 +50,14 @@ export function nameProblem(name) {
   return edgeProblem(name) || (DEVICE.test(name) ? 'is the name of a device on Windows' : '');
 }
 
+/**
+ * @param {string} name with its extension
+ * @returns {boolean} whether Windows can store it; the rule is that of FileName.isPortable
+ */
+export function isPortable(name) {
+  return !DEVICE.test(name) && !/[. ]$/.test(name);
+}
+
 /** @param {string} name */
 function edgeProblem(name) {
   const signName = (/** @type {string} */ sign) => (sign === '.' ? 'dot' : 'space');

@@ -18,7 +18,7 @@
  * @typedef {import('../course.js').Lesson} Lesson
  */
 import { UTF_8 } from '../decoded-text.js';
-import { nameProblem } from '../file-name.js';
+import { isPortable } from '../file-name.js';
 import { commonLines } from './line-diff.js';
 import { fileName } from './remarks.js';
 
@@ -103,7 +103,7 @@ export function javaName(name) {
 
 /** @param {string} path @returns {boolean} whether a program can have this path; the rule is that of the Java class ProgramFolder */
 export function isProgramPath(path) {
-  return PROGRAM_PATH.test(path) && path.split('/').every((part) => nameProblem(part) === '');
+  return PROGRAM_PATH.test(path) && path.split('/').every(isPortable);
 }
 
 /** @param {string} name class name typed by the user @returns {string} its problem; empty if it is valid */
