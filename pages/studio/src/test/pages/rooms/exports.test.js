@@ -5,22 +5,12 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gunzipSync } from 'node:zlib';
 import { slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { boxOf, openReplay } from './replay-room.js';
 
 const DRAWN = 'draw\t1.0\tAda\t1\ttext\tcyan\t1.0\t0.0\t-0.5\tball <here>';
 const FILES = { 'game.notes': `${JSON.stringify({ drawn: DRAWN })}\n` };
 
-async function openReplay(t, options = {}) {
-  const world = { room: 'replay/game', robots: [{}], recordings: ['game'], files: FILES };
-  const studio = await openStudio(t, { ...world, ...options });
-  await studio.user.sees(/\d\.\d\d of [34]\.\d\d s/);
-  return studio;
-}
-
-async function boxOf({ page }, selector) {
-  const { x, y, width, height } = await (await page.$(selector)).boundingBox();
-  return { left: x, right: x + width, top: y, bottom: y + height };
-}
+const openRun = (t, options = {}) => openReplay(t, { files: FILES, ...options });
 
 /** Returns a picture of the page, loaded into it. */
 async function pictureOf({ page }) {
@@ -56,7 +46,7 @@ function seek(film, seconds) {
 }
 
 slow('a table has one line for each cycle of the run or of its loop', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
 
   const { name, bytes } = await user.downloads(() => user.clicks('button', 'CSV'));
 
@@ -71,7 +61,7 @@ slow('a table has one line for each cycle of the run or of its loop', async (t) 
 });
 
 slow('a run is given as the log of a SimSpark server', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
 
   const { name, bytes } = await user.downloads(() => user.clicks('button', 'Log'));
 
@@ -81,7 +71,7 @@ slow('a run is given as the log of a SimSpark server', async (t) => {
 });
 
 slow('a single file plays without the studio', async (t) => {
-  const { user, folder } = await openReplay(t, { isSharp: true });
+  const { user, folder } = await openRun(t, { isSharp: true });
   const { name, bytes } = await user.downloads(() => user.clicks('button', 'HTML'));
   assert.equal(name, 'game.html');
   assert.ok(bytes.length < 1_500_000, `${bytes.length} bytes`);
@@ -105,7 +95,7 @@ slow('a single file plays without the studio', async (t) => {
 });
 
 slow('a video of a section lasts as long as the section and shows the field', async (t) => {
-  const { user } = await openReplay(t, { isSharp: true });
+  const { user } = await openRun(t, { isSharp: true });
   await user.presses('Home', 'l'); // the loop ends after two seconds
 
   const { name, bytes } = await user.downloads(() => user.clicks('button', 'Video'));
@@ -127,7 +117,7 @@ slow('a video of a section lasts as long as the section and shows the field', as
 });
 
 slow('a video that is cancelled gives no file', async (t) => {
-  const { user } = await openReplay(t, {
+  const { user } = await openRun(t, {
     before: () => {
       HTMLAnchorElement.prototype.click = () => console.error('A file was given.');
     },
@@ -144,7 +134,7 @@ slow('a video that is cancelled gives no file', async (t) => {
 });
 
 slow('a browser without an encoder says so', async (t) => {
-  const { user } = await openReplay(t, {
+  const { user } = await openRun(t, {
     before: () => {
       delete window.VideoEncoder;
     },

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { copyFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { picture, quick, slow } from '../tests.js';
-import { FOR_PICTURES, openStudio } from '../user.js';
+import { FOR_PICTURES } from '../user.js';
+import { boxOf, openReplay, WHOLE } from './replay-room.js';
 
 const NOTES = [
   { seconds: 1, robot: 'Blue Newbies 1', level: 'INFO', text: 'I see the ball' },
@@ -14,20 +15,14 @@ const NOTES = [
 ];
 const WARNING = 'Warning: Blue Newbies 1 says the joint is too fast';
 const CARD_OF_OTHER = 'Ada 00:04 · 1 robot · 1 goal · 1 fall other';
-const WHOLE = /\d\.\d\d of [34]\.\d\d s/;
 
-async function openReplay(t, options = {}) {
-  const files = { 'game.notes': NOTES.map((note) => `${JSON.stringify(note)}\n`).join('') };
-  const studio = await openStudio(t, { room: 'replay/game', robots: [{}], recordings: ['game'], files, ...options });
-  if (!options.room) {
-    await studio.user.sees(WHOLE);
-  }
-  return studio;
-}
+const FILES = { 'game.notes': NOTES.map((note) => `${JSON.stringify(note)}\n`).join('') };
+
+const openRun = (t, options = {}) => openReplay(t, { files: FILES, ...options });
 
 /** Opens a studio with two equal recordings. */
 async function openTwoRuns(t, room) {
-  const studio = await openReplay(t, { room: 'replay' });
+  const studio = await openRun(t, { room: 'replay' });
   await copyFile(join(studio.folder, 'game.rec'), join(studio.folder, 'other.rec'));
   await studio.visit(room);
   return studio;
@@ -46,13 +41,8 @@ const drawings = ({ page }) =>
     return group.visible ? [shapes.geometry.getAttribute('position').count, texts.children[0]?.name] : [];
   });
 
-async function boxOf({ page }, selector) {
-  const { x, y, width, height } = await (await page.$(selector)).boundingBox();
-  return { left: x, right: x + width, top: y, bottom: y + height };
-}
-
 quick('a recorded run is shown with its events', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
 
   await user.presses('End');
 
@@ -63,7 +53,7 @@ quick('a recorded run is shown with its events', async (t) => {
 });
 
 slow('lines of logs are marked, and warnings are events', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
   await user.until(async () => (await marks(user)).some((text) => text.endsWith(WARNING)));
   assert.equal((await marks(user)).filter((text) => text.includes('Log:')).length, 1);
 
@@ -77,7 +67,7 @@ slow('lines of logs are marked, and warnings are events', async (t) => {
 });
 
 slow('dragging the time line moves robots and score', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
   const { left, right, top } = await boxOf(user, '#replay-line');
 
   await user.page.mouse.click(left + 60, top + 28);
@@ -93,7 +83,7 @@ slow('dragging the time line moves robots and score', async (t) => {
 });
 
 slow('events and cycles are jumped to, and the run is played', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
   await user.clicks('button', 'Next event');
   await user.reads('alert', '', /Play mode|Goal/);
   await user.presses('Home');
@@ -109,7 +99,7 @@ slow('events and cycles are jumped to, and the run is played', async (t) => {
 });
 
 slow('the field shows the same moment until one goes back to now', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
 
   await user.clicks('link', 'Field');
   await user.reads('region', 'Shown moment', 'Recording game at');
@@ -122,7 +112,7 @@ slow('the field shows the same moment until one goes back to now', async (t) => 
 });
 
 slow('opening the replay keeps the live view until a recording is chosen', async (t) => {
-  const { user } = await openReplay(t, { room: 'replay' });
+  const { user } = await openRun(t, { room: 'replay' });
   await user.finds('article', 'game');
 
   await user.clicks('link', 'Field');
@@ -149,7 +139,7 @@ slow('a second run is compared by ghosts, in a bar that keeps its height', async
 });
 
 slow('drawings of a robot stay on the ground for a second', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
   const shows = (...wanted) => user.until(async () => String(await drawings(user)) === String(wanted));
   const drawn = [48 * 6, 'ball <here>'];
   await user.presses('Home');
@@ -184,19 +174,19 @@ slow('recordings are cards that are searched and chosen', async (t) => {
 });
 
 slow('the marks of the time line have a legend', async (t) => {
-  const { user } = await openReplay(t);
+  const { user } = await openRun(t);
 
   await user.reads('region', 'Replay', /Goal\s*Fall\s*Foul\s*Play mode\s*Warning\s*Log/);
 });
 
 slow('a replay without recordings says so', async (t) => {
-  const { user } = await openReplay(t, { room: 'replay', recordings: [], files: {} });
+  const { user } = await openRun(t, { room: 'replay', recordings: [], files: {} });
 
   await user.reads('region', 'Replay', 'Nothing has been recorded yet.');
 });
 
 picture('the replay fits the width of the page', async (t) => {
-  const { user } = await openReplay(t, FOR_PICTURES);
+  const { user } = await openRun(t, FOR_PICTURES);
 
   await user.presses('End');
 

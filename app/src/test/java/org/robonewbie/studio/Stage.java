@@ -46,8 +46,7 @@ final class Stage {
         try {
             return answer(JsonParser.parseString(line).getAsJsonObject());
         } catch (IOException | RuntimeException | AssertionError failed) {
-            failed.printStackTrace(System.err);
-            return Map.of("error", String.valueOf(failed.getMessage()));
+            return Map.of("error", failed.toString());
         }
     }
 

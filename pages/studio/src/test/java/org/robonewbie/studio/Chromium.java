@@ -38,7 +38,6 @@ final class Chromium implements AnyBrowser, AutoCloseable {
     private final BrowserProcess process;
     private final DevTools tools;
     private final List<String> complaints = new CopyOnWriteArrayList<>();
-    private volatile CompletableFuture<Boolean> frozen = new CompletableFuture<>();
     private volatile CompletableFuture<String> downloaded = new CompletableFuture<>();
     private volatile String downloadName = "";
     private volatile String session = "";
@@ -249,20 +248,6 @@ final class Chromium implements AnyBrowser, AutoCloseable {
                 + " field.dispatchEvent(new Event('change', {bubbles: true})); field.blur(); } return ready; })()");
     }
 
-    /** Stops all scripts of the page, as if it hung, and returns when they have stopped. */
-    void freeze() {
-        frozen = new CompletableFuture<>();
-        call("Debugger.enable", new JsonObject());
-        call("Debugger.pause", new JsonObject());
-        frozen.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
-    }
-
-    /** Resumes the scripts of the page. */
-    void thaw() {
-        call("Debugger.resume", new JsonObject());
-        call("Debugger.disable", new JsonObject());
-    }
-
     void press(String key) {
         press(key, 0);
     }
@@ -349,7 +334,6 @@ final class Chromium implements AnyBrowser, AutoCloseable {
             case "Runtime.exceptionThrown" ->
                 complaints.add(parameters.get("exceptionDetails").toString());
             case "Page.javascriptDialogOpening" -> agree();
-            case "Debugger.paused" -> frozen.complete(true);
             case "Runtime.consoleAPICalled" -> noteConsole(parameters);
             case "Log.entryAdded" -> noteLog(parameters.getAsJsonObject("entry"));
             case "Network.requestWillBeSent" ->

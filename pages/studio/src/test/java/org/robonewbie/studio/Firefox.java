@@ -26,9 +26,8 @@ final class Firefox implements AnyBrowser, AutoCloseable {
     private static final int PATIENCE_SECONDS = 120;
 
     /** The Control key in WebDriver's encoding. */
-    private static final String CONTROL = "\uE009";
-
     private final Process process;
+
     private final DevTools tools;
     private final String context;
 
@@ -151,16 +150,6 @@ final class Firefox implements AnyBrowser, AutoCloseable {
             keys.add(key("keyDown", text.substring(i, i + 1)));
             keys.add(key("keyUp", text.substring(i, i + 1)));
         }
-        perform(keys);
-    }
-
-    /** Presses a key with Control. */
-    void typeWithControl(String letter) {
-        JsonArray keys = new JsonArray();
-        keys.add(key("keyDown", CONTROL));
-        keys.add(key("keyDown", letter));
-        keys.add(key("keyUp", letter));
-        keys.add(key("keyUp", CONTROL));
         perform(keys);
     }
 

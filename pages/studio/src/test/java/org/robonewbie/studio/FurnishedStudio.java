@@ -29,10 +29,6 @@ final class FurnishedStudio implements AutoCloseable {
         return studio.oneTimeAddress();
     }
 
-    TestSimulator simulation() {
-        return simulation;
-    }
-
     @Override
     public void close() {
         studio.close();

@@ -8,10 +8,8 @@ import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.RunningProgram;
 
-/** A compiler service without a compiler: it reports one fixed error, and no program runs. */
+/** A compiler service without a compiler: it finds no errors, and no program runs. */
 record SmallWorkshop(Path folder) implements CompilerService {
-
-    static final String MISTAKE = "degres";
 
     private static final String EXAMPLE = "Agent_Wave";
     private static final String PROGRAM = "public class MyAgent {\n    int degrees = 45;\n}\n";
@@ -33,17 +31,12 @@ record SmallWorkshop(Path folder) implements CompilerService {
 
     @Override
     public List<Remark> check(Path file, String text) {
-        int at = text.indexOf(MISTAKE);
-        int line = (int) text.substring(0, Math.max(0, at)).lines().count();
-        return at < 0
-                ? List.of()
-                : List.of(new Remark(
-                        at, at + MISTAKE.length(), line, true, "cannot find symbol", "Is the name written right?"));
+        return List.of();
     }
 
     @Override
     public List<Proposal> complete(Path file, String text, int at) {
-        return List.of(new Proposal("degrees", ": int", "property", "degrees", "An angle."));
+        return List.of();
     }
 
     @Override

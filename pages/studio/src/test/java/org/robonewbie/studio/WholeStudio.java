@@ -11,14 +11,13 @@ final class WholeStudio implements AutoCloseable {
 
     private static final int SHELF_BYTES = 10_000_000;
 
-    private final SmallCourse course;
     private final StudioServer studio;
 
     WholeStudio(SimulationControl simulation, Path folder) throws IOException {
         ShownSimulation shown = new ShownSimulation(simulation);
-        course = new SmallCourse(shown, simulation);
         StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
+        studio = StudioServer.start(
+                shown, 0, AccessToken.random(), folders, new SmallCourse(), new SmallWorkshop(folder));
     }
 
     /** A new address of the page, to which options and the room can be appended. */
@@ -29,6 +28,5 @@ final class WholeStudio implements AutoCloseable {
     @Override
     public void close() {
         studio.close();
-        course.close();
     }
 }
