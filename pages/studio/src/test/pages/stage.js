@@ -49,7 +49,7 @@ function startStage() {
 }
 
 /**
- * Starts a command that opens a studio of its own, such as `run MyRobot.java`, until the test ends.
+ * Starts a command that opens a studio in its own process, such as `run MyRobot.java`, until the test ends.
  *
  * @param {import('node:test').TestContext} t
  * @param {string} folder its working directory
@@ -136,7 +136,7 @@ export async function openStage(t, folder, world) {
     /** Returns cycle, isPaused, speed, playMode, score, ball `{x, y, z}`, and robots with team, number, place, heading and degrees. */
     world: () => ask({ do: 'world', id }),
 
-    /** Tells what a robot's program would tell: a line such as `log\t1.2\tBlue_Newbies\t1\tINFO\tI see the ball`. */
+    /** Sends a line of telemetry as from a robot's program, such as `log\t1.2\tBlue_Newbies\t1\tINFO\tI see the ball`. */
     tell: (...fields) => ask({ do: 'tell', id, line: fields.join('\t') }),
 
     /** Reports that number 1 of the left team runs into an opponent. */

@@ -1,4 +1,4 @@
-/** A web host for static files, in a folder of its own. */
+/** A static file server whose files lie below a path, as on any web host. */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';

@@ -1,4 +1,4 @@
-/** The timeline of the Motion room by mouse and keys: rows and curves of joints, several keyframes at once, marks, balance and trials. */
+/** The timeline of the Motion room with mouse and keys: rows and curves of joints, several keyframes at once, marks, balance, trials. */
 import assert from 'node:assert/strict';
 import { slow } from '../tests.js';
 import {

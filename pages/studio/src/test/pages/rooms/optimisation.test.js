@@ -1,4 +1,4 @@
-/** A person watches an optimisation on a page of its own. */
+/** The page that shows the progress of an optimisation. */
 import assert from 'node:assert/strict';
 import { picture, slow } from '../tests.js';
 import { folderWith, openStage } from '../stage.js';

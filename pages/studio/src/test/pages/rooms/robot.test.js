@@ -25,7 +25,7 @@ const secondsOf = async (stage) => (await stage.world()).cycle * 0.02;
 /** Returns the time that the curves show. */
 const shownSeconds = ({ page }) => page.evaluate(() => studio.robot.plots.moment.seconds);
 
-/** Makes the first robot log a line, and waits until the page shows it, which knows what the robot tells from then on. */
+/** Makes the first robot log a line, and waits until the page shows it; from then on the page knows its telemetry. */
 async function say({ stage, user }, seconds, level, line) {
   await stage.tell('log', seconds, TEAM, 1, level, line);
   await user.reads(...LOG, line);

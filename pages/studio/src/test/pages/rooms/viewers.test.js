@@ -27,7 +27,7 @@ async function hangs({ page }) {
   };
 }
 
-/** Opens the page in a browser of its own, which then crashes. */
+/** Opens the page in a separate browser, which then crashes. */
 async function vanishes(t, stage) {
   const browser = await launch();
   atEnd(t, () => browser.close());

@@ -18,7 +18,7 @@ const tableWith = (over, cell) => ({
   ],
 });
 
-/** Opens the page of a contest of which two trials run; `wall` tells it news. */
+/** Opens the page of a contest with two running trials; `wall` publishes news. */
 async function openWall(t, { theme = 'light', ...look } = {}) {
   const folder = await folderWith(t);
   const contest = await openStage(t, folder, { hasWall: true });

@@ -52,7 +52,7 @@ async function pauses(user) {
   await user.finds('button', '▶ Play');
 }
 
-/** Does what dragging the ball over these places does, of which the user undoes the whole at once. */
+/** Moves the ball to these positions in one drag, which is one step for Undo. */
 async function movesTheBall(user, ...places) {
   for (const [x, y] of places) {
     await user.page.evaluate(

@@ -10,7 +10,7 @@ import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
 
-/** An optimisation that makes the progress of which a test tells. */
+/** An optimisation whose progress a test reports. */
 final class StagedSearch {
 
     private final Gson gson = new Gson();

@@ -179,7 +179,7 @@ final class StagedStudio implements AutoCloseable {
         return drawings.number();
     }
 
-    /** Tells the page what a robot's program would tell it. */
+    /** Passes a line of telemetry to the studio, as from a robot's program. */
     void tell(String line) {
         studio.telemetry().accept(TelemetryLine.read(line).orElseThrow());
     }

@@ -8,7 +8,7 @@ import java.util.function.IntFunction;
 import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
-/** The wall of a contest whose trials are the worlds of other studios, and of which a test tells the results. */
+/** The wall of a contest whose trials are the worlds of other studios; a test reports the results. */
 final class StagedWall implements AutoCloseable {
 
     private final TrialWall wall = new TrialWall("Scoring", "The earliest goal wins.");

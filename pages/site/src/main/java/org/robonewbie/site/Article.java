@@ -53,7 +53,7 @@ final class Article {
         return new Article(source, address, document, sections(document));
     }
 
-    /** Reads one chapter of a page as a page of its own, with the chapter's heading as the title. */
+    /** Reads one chapter of a page as a separate page, with the chapter's heading as the title. */
     static Article readChapter(Path source, String title, String address) throws IOException {
         Node document = PARSER.parse(Files.readString(source));
         boolean isInside = false;

@@ -9,6 +9,6 @@ public interface HostProgram {
     /** {@return whether its robots are on the pitch} */
     boolean isRunning();
 
-    /** Removes the program's robots from the pitch; the simulator goes on without them. */
+    /** Removes the program's robots from the pitch; the simulator continues to run. */
     void end();
 }
