@@ -86,8 +86,13 @@ slow('a single file plays without the studio', async (t) => {
   const { top, bottom } = await boxOf(user, '#replay');
   assert.ok(top >= 500 && top <= 740 && bottom <= 768, `from ${top} to ${bottom}`);
   assert.ok((await grassOf(await pictureOf(user))) > 0.15);
-  const line = await boxOf(user, '.replay-line');
-  await user.page.mouse.click(line.left + 14 + (1.5 / 4.18) * (line.right - line.left - 28), line.top + 28);
+  const line = await user.finds('slider', 'Moment of the recording');
+  const { x, y, width } = await line.boundingBox();
+  await user.page.mouse.click(x + 14 + (1.5 / 4.18) * (width - 28), y + 28);
+  await user.sees(/1\.[45] of/);
+  await user.presses('PageDown');
+  await user.sees(/2\.[45] of/);
+  await user.presses('PageUp');
   await user.sees('Drawings');
   await user.until(() =>
     user.page.evaluate(() => window.player.view.drawings.texts.children[0]?.name === 'ball <here>'),

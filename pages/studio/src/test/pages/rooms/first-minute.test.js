@@ -27,7 +27,6 @@ async function passes(user, level) {
 /** Sees the field, without being led to the Program room. */
 async function seesTheField(user) {
   await user.finds('link', 'Program');
-  await user.page.waitForNetworkIdle();
   assert.equal(new URL(user.page.url()).hash, '');
 }
 

@@ -68,7 +68,8 @@ slow('lines of logs are marked, and warnings are events', async (t) => {
 
 slow('dragging the time line moves robots and score', async (t) => {
   const { user } = await openRun(t);
-  const { left, right, top } = await boxOf(user, '#replay-line');
+  const { x: left, y: top, width } = await (await user.finds('slider', 'Moment of the recording')).boundingBox();
+  const right = left + width;
 
   await user.page.mouse.click(left + 60, top + 28);
   await user.sees(/0\.[12]\d of/);
@@ -90,6 +91,9 @@ slow('events and cycles are jumped to, and the run is played', async (t) => {
   await user.sees('0.00 of');
   await user.presses('ArrowRight');
   await user.sees('0.02 of');
+  await (await user.finds('slider', 'Moment of the recording')).focus();
+  await user.presses('ArrowRight');
+  await user.sees('0.04 of');
 
   await user.fills('combobox', 'Speed of the replay', '8');
   await user.clicks('button', '▶ Play');

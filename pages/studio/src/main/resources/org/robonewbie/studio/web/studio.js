@@ -80,7 +80,9 @@ export class Studio {
       this.workspace.markMore();
     }, LOOK_MILLISECONDS);
     this.connection.open();
-    this.#offerPrograms().catch((error) => this.note(error.message));
+    this.#offerPrograms()
+      .catch((error) => this.note(error.message))
+      .finally(() => this.rooms.chosen());
     requestAnimationFrame(this.#turn);
   }
 

@@ -69,8 +69,14 @@ export class RoomController {
     this.program = undefined;
     /** @type {RoomName} */
     this.here = 'field';
-    /** @type {Set<RoomName>} */
-    this.opening = new Set();
+    /** Rooms that are loading: the field until it is known whether a newcomer begins in another room. @type {Set<RoomName>} */
+    this.opening = new Set(['field']);
+  }
+
+  /** Called when the first room has been chosen. */
+  chosen() {
+    this.opening.delete('field');
+    this.#showBusy();
   }
 
   /** @param {RoomName} room */

@@ -15,11 +15,15 @@ import {
   frameOf,
   MOMENTS_PER_SECOND,
   sceneOf,
+  stepped,
 } from '../state/replay/replay-state.js';
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { initialState, withConnection, withScene, withFrame } from '../state/studio-state.js';
 import { ReplayLine } from './replay-line.js';
 import { unpack } from './unpack.js';
+
+/** Moments by which keys move the time line. @type {Record<string, number>} */
+const STEPS = { ArrowLeft: -1, ArrowRight: 1, PageUp: -MOMENTS_PER_SECOND, PageDown: MOMENTS_PER_SECOND };
 
 const models = JSON.parse(byId('models').textContent ?? '{}');
 const reader = new RecordingReader((type) => models[type].hinges.length);
@@ -63,6 +67,12 @@ const place = element('div', { class: 'replay-line' });
 const line = new ReplayLine(place, (index) => {
   replay = { ...atMoment(replay, index), playing: false };
   stale = true;
+});
+place.addEventListener('keydown', ({ key }) => {
+  if (key in STEPS) {
+    replay = stepped(replay, STEPS[key]);
+    stale = true;
+  }
 });
 byId('replay').append(place, element('div', { class: 'replay-bar' }, play, reading));
 addEventListener('resize', () => {

@@ -32,6 +32,7 @@ export class ReplayLine {
   constructor(place, scrub) {
     this.place = place;
     this.scrub = scrub;
+    setAttributes(place, { role: 'slider', tabindex: 0, 'aria-label': 'Moment of the recording', 'aria-valuemin': 0 });
     this.marks = shape('g');
     this.loop = shape('rect', { class: 'loop', y: 4, height: 24 });
     this.track = shape('rect', { class: 'track', x: SIDE, y: 26, height: 5, rx: 2.5 });
@@ -64,6 +65,12 @@ export class ReplayLine {
     setAttributes(this.done, { width: Math.max(0, x(state.index) - SIDE) });
     setAttributes(this.knob, { cx: x(state.index) });
     setAttributes(this.loop, { x: x(from), width: Math.max(0, x(to) - x(from)) });
+    const now = seconds(state.index);
+    setAttributes(this.place, {
+      'aria-valuemax': seconds(this.count - 1),
+      'aria-valuenow': now,
+      'aria-valuetext': `${now} s`,
+    });
     const key = `${width} ${state.count} ${events.length}`;
     if (key !== this.drawn) {
       this.drawn = key;
@@ -92,5 +99,10 @@ export function legend() {
 
 /** @param {RecordedEvent} event @returns {string} */
 export function eventText({ kind, text, index }) {
-  return `${(index / MOMENTS_PER_SECOND).toFixed(1)} s · ${NAMES[kind]}: ${text}`;
+  return `${seconds(index)} s · ${NAMES[kind]}: ${text}`;
+}
+
+/** @param {number} index @returns {string} */
+function seconds(index) {
+  return (index / MOMENTS_PER_SECOND).toFixed(1);
 }
