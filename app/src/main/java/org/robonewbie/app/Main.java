@@ -30,7 +30,7 @@ public final class Main {
 
     /**
      * Deletes the temporary folder that contains the launcher's link to this program. The launcher creates it if the
-     * program's path cannot be part of a class path.
+     * program's path cannot be used in a class path.
      */
     private static void deleteOnExit(String link) {
         File folder = new File(link);

@@ -10,7 +10,7 @@ import org.robonewbie.programs.ClassPath;
 /**
  * Archive for application class-data sharing (JEP 310 and JEP 350) that halves the start time. The launcher passes its
  * path and uses the file if it exists. The archive is created in the background when the program exits for the first
- * time, so that its creation takes no processor time from a robot; the JVM rejects an archive that was created for
+ * time, so that creating it takes no processor time away from a robot; the JVM rejects an archive that was created for
  * another program or by another JVM.
  */
 final class StartArchive {

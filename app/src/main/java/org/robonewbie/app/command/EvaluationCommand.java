@@ -8,7 +8,7 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** Summarises the evaluation forms of a course. */
+/** Summarises a course's evaluation forms. */
 @Command(
         name = "evaluation",
         description = "Summarise the evaluation forms of a course, grouped by the participants' experience.",

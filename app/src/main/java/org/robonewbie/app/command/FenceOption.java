@@ -5,7 +5,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.process.Sandbox;
 import picocli.CommandLine.Option;
 
-/** The option {@code --fence}, which selects the sandbox of programs. */
+/** The option {@code --fence}, which selects the sandbox for programs. */
 final class FenceOption {
 
     private enum When {
@@ -30,7 +30,7 @@ final class FenceOption {
     /**
      * Returns the sandbox.
      *
-     * @throws CalledWronglyException if it is required and not available
+     * @throws CalledWronglyException if a sandbox is required but not available
      */
     Sandbox sandbox() {
         if (fence == When.NONE) {

@@ -298,7 +298,7 @@ final class GradeCommand implements Callable<Integer> {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** Returns a tick and the best points, or spaces of the same width before the first attempt. */
+    /** Returns a tick if the exercise is passed, and the best score; before the first attempt, spaces of the same width. */
     private static String points(ExerciseProgress state) {
         if (state.tries() == 0) {
             return "      ";

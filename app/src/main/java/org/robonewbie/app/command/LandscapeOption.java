@@ -15,7 +15,7 @@ final class LandscapeOption {
             description = "Objects on the pitch (default: soccer): ${COMPLETION-CANDIDATES}.")
     private String name = Landscape.SOCCER.name();
 
-    /** The scenes and what is there. */
+    /** Scene names, each with a description, for the help text. */
     static final class Scenes implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {

@@ -91,7 +91,7 @@ final class NewCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** Returns the jar of this program, preferably that of a local build, because the jar with its sources lies beside it. */
+    /** Returns this program's jar, preferably that of a local build, because its sources jar is in the same folder. */
     private static Path ownJar() {
         Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
         return Files.isRegularFile(built) ? built : ClassPath.ownJar().orElse(built);

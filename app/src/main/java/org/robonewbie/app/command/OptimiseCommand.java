@@ -29,7 +29,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Command that optimises a motion, the walk engine or an agent through trials in the simulator. */
+/** Command that optimises a motion, the walk engine or an agent by running trials in the simulator. */
 @Command(
         name = "optimise",
         description = {

@@ -45,7 +45,7 @@ public record ProgramName(String text) {
     }
 
     /**
-     * Replaces the program name in the commands of a text.
+     * Replaces the program name in all commands in a text.
      *
      * @param words text with commands such as {@code robonewbie grade kick}
      * @return the text for this shell

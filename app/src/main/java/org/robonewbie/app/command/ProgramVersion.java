@@ -8,14 +8,14 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.zip.CRC32;
 
-/** The version of this program: that of the project and the commit it was built from. */
+/** The version of this program: the project's version and the commit from which it was built. */
 final class ProgramVersion {
 
     private static final String COMMIT = "/org/robonewbie/site/pages/commit.txt";
 
     private ProgramVersion() {}
 
-    /** Returns the line that identifies program and Java, as in {@code RoboNewbie 2.0.0 (0839a708), Java 17.0.17+10}. */
+    /** Returns the line that identifies the program and the Java runtime, such as {@code RoboNewbie 2.0.0 (0839a708), Java 17.0.17+10}. */
     static String line() {
         String commit = commit();
         return "RoboNewbie "
@@ -26,8 +26,9 @@ final class ProgramVersion {
     }
 
     /**
-     * Returns the version under which Maven and Gradle keep a jar of this program, such as {@code 2.0.0-0839a708}. Both cache
-     * jars by version, so the version contains the jar's checksum where the commit does not identify the jar.
+     * Returns the version under which Maven and Gradle cache a jar of this program, such as {@code 2.0.0-0839a708}.
+     * They identify jars only by version, so the version includes the jar's checksum if the commit does not identify
+     * the jar.
      *
      * @param jar a release, whose file name contains its version, or a local build
      */

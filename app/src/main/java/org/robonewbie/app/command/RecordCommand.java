@@ -136,7 +136,7 @@ final class RecordCommand implements Callable<Integer> {
         }
     }
 
-    /** Completes the table of runs when this process is terminated during the recording, for example by Ctrl+C. */
+    /** Completes the table of runs when this process is terminated during the recording, for example with Ctrl+C. */
     private void endEarly(DataSet set) {
         try {
             set.endEarly();

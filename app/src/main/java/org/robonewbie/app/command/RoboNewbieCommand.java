@@ -93,7 +93,7 @@ public final class RoboNewbieCommand {
                 .execute(complete);
     }
 
-    /** Returns whether a command may write files. Help and {@code doctor} also work where file names cannot be decoded. */
+    /** Returns whether a command may write files. Help and {@code doctor} also work if file names cannot be decoded. */
     private static boolean mayWrite(String... arguments) {
         boolean isCheck = arguments.length > 0 && CHECKS.contains(arguments[0]);
         return !isCheck && Stream.of(arguments).noneMatch(OWN_OPTIONS::contains);
@@ -180,7 +180,7 @@ public final class RoboNewbieCommand {
         return Optional.ofNullable(commandLine.getSubcommands().get(name));
     }
 
-    /** Drops the help option of an unknown command, so that the command is reported. */
+    /** Removes the help option after an unknown command, so that the command is reported as unknown. */
     private static String[] withoutHelpOfUnknownCommand(String... arguments) {
         boolean isCommand = arguments[0].startsWith("-")
                 || AT_ONCE.containsKey(arguments[0])

@@ -91,7 +91,7 @@ final class RunCommand implements Callable<Integer> {
         return program.run(options);
     }
 
-    /** Runs the program without output before the actual run, in which any errors occur again and are shown. */
+    /** Runs the program without output before the actual run, which repeats any errors and shows them. */
     private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = without(SERVER, options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));

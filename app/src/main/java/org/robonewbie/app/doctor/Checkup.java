@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.robonewbie.nao.file.PathEncoding;
 
-/** All checks of the installation, from the Java version to a standing robot. */
+/** All checks of the installation, from the Java version to a short simulation. */
 public final class Checkup {
 
     private final List<Supplier<Finding>> checks = new ArrayList<>();

@@ -24,7 +24,7 @@ public record Finding(String subject, Verdict verdict, String found, String advi
         return new Finding(subject, Verdict.BROKEN, found, advice);
     }
 
-    /** {@return the finding as one line, and a second line with the advice if there is any} */
+    /** {@return the finding as one line, followed by a line with the advice, if any} */
     public String toText() {
         String line = String.format(Locale.ROOT, "%-5s %-14s %s", verdict.mark(), subject, found);
         return advice.isEmpty() ? line : line + System.lineSeparator() + " ".repeat(21) + "-> " + advice;

@@ -28,8 +28,8 @@ final class PortCheck {
     }
 
     /**
-     * Guesses what is listening: a soccer server sends its scene to monitors immediately, but waits for agents to speak
-     * first.
+     * Guesses what is listening: a soccer server sends its scene to monitors immediately, but waits for agents to send
+     * the first message.
      */
     private static String listenerAt(int port) {
         try (Socket socket = new Socket()) {

@@ -15,7 +15,7 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** Simulates a standing robot for one second and checks that it still stands. */
+/** Simulates a standing robot for one second and checks that it is still standing. */
 final class SimulatorCheck {
 
     private static final int CYCLES = 50;

@@ -57,7 +57,7 @@ final class BoardStudio implements Viewer.View {
         return board.page(view.oneTimeAddress());
     }
 
-    /** Returns the text to print: a one-time address, and how to get another one. */
+    /** Returns the text to print: a one-time URL, and how to get another one. */
     String invitation() {
         return oneTimeAddress() + EnterKey.listen(this);
     }

@@ -60,7 +60,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         }
     }
 
-    /** {@return the text to print: a one-time address, and how to get another one} */
+    /** {@return the text to print: a one-time URL, and how to get another one} */
     public String invitation() {
         return studio.invitation();
     }

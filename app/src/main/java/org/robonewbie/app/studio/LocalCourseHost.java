@@ -26,7 +26,7 @@ public class LocalCourseHost implements CourseHost {
      * Creates the host.
      *
      * @param folder folder of the student's programs
-     * @param freePitch simulation that is shown while no attempt runs
+     * @param freePitch simulation that is shown while no attempt is running
      * @param shown the displayed simulation
      */
     public LocalCourseHost(Path folder, SimulationControl freePitch, ShownSimulation shown) {

@@ -24,7 +24,7 @@ public final class LocalStudio implements FullStudio {
     private static final String ENDING = ".java";
     private static final int MAX_DEPTH = 12;
 
-    /** The program that this process has been told to run, followed by its options; empty if its class was started directly. */
+    /** The program that this process was started to run, followed by its options; empty if its class was started directly. */
     private static volatile List<String> started = List.of();
 
     /** Creates the provider. */
@@ -102,7 +102,7 @@ public final class LocalStudio implements FullStudio {
                 : Optional.empty();
     }
 
-    /** Returns a file name that no program or draft in the folder has yet. */
+    /** Returns a file name that is not used by any program or draft in the folder. */
     private static String freeName(String stem, Path folder) {
         String name = stem + ENDING;
         for (int number = 2; isTaken(name, folder); number++) {

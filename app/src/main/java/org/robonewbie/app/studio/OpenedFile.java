@@ -21,7 +21,7 @@ import org.robonewbie.studio.monitor.MonitorLogReader;
  * The file that the studio opens at start.
  *
  * @param folders the folders that the pages may access, including the file
- * @param place fragment of the page's address that shows the file
+ * @param place fragment of the page's URL that shows the file
  * @param programs folder of the user's programs
  */
 public record OpenedFile(StudioFolders folders, String place, Path programs) {

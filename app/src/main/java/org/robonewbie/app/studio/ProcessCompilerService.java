@@ -35,7 +35,7 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     }
 
     /**
-     * Creates the service for a studio that opens with a program that is already running.
+     * Creates the service for a studio opened by a program that is already running.
      *
      * @param folder folder of the programs
      * @param first the program that is already running, if there is one

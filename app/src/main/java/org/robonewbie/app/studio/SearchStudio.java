@@ -82,7 +82,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options);
     }
 
-    /** {@return the text to print: a one-time address, and how to get another one} */
+    /** {@return the text to print: a one-time URL, and how to get another one} */
     public String invitation() {
         return studio.invitation();
     }

@@ -238,8 +238,8 @@ public abstract class Agent {
     }
 
     /**
-     * Returns a sentence that lists the calls that led to the failed line; empty if there are none. In a page, the trace does
-     * not contain {@link #run}.
+     * Returns a sentence that lists the calls that led to the failed line; empty if there are none. In a web page, the
+     * stack trace does not contain {@link #run}.
      */
     private static String callers(Throwable mistake) {
         StackTraceElement[] step = Arrays.stream(mistake.getStackTrace())

@@ -36,7 +36,7 @@ final class AgentRunner {
     /**
      * Plays until the game is over for all agents.
      *
-     * @return the exit code of the program
+     * @return the program's exit code
      * @throws StartUpException if the game cannot begin
      */
     static int run(List<String> args, List<Agent> agents) {

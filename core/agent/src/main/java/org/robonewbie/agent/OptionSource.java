@@ -5,7 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 
-/** Sources of options, in ascending precedence. */
+/** Sources of options, in ascending order of precedence. */
 enum OptionSource {
     PROGRAM("in the program"),
     ENVIRONMENT("in the environment"),

@@ -16,9 +16,9 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * The options that every agent accepts: simulator, team, number, starting pose and others. Sources, in descending precedence,
- * are the command line, the file {@code robonewbie.properties} in the working directory, and environment variables such as
- * {@code ROBONEWBIE_HOST}.
+ * The options that every agent accepts: simulator, team, number, starting pose and others. The sources, in descending
+ * order of precedence, are the command line, the file {@code robonewbie.properties} in the working directory, and
+ * environment variables such as {@code ROBONEWBIE_HOST}.
  *
  * <pre>{@code
  * Options options = Options.of(args);                     // --host 192.168.0.7 --number 4

@@ -164,7 +164,7 @@ public class Robot {
      * Checks whether the robot has fallen, using smoothed accelerometer readings; a fall is detected after about half a
      * second.
      *
-     * @return whether the torso tilts by more than 60 degrees
+     * @return whether the torso is tilted by more than 60 degrees
      */
     public final boolean isFallen() {
         return getBodyPosition().isFallen();
@@ -181,8 +181,8 @@ public class Robot {
     }
 
     /**
-     * Sets the speed of a joint. The speed holds until another speed or target is set or a motion starts; the joint
-     * stops at the end of its range.
+     * Sets the speed of a joint. The speed stays in effect until another speed or target is set or a motion starts; the
+     * joint stops at the end of its range.
      *
      * @param joint the joint
      * @param degreesPerSecond speed from -351.77 to 351.77; 0 stops and holds the joint
@@ -215,7 +215,7 @@ public class Robot {
     /**
      * Broadcasts a message to robots within 50 m. Only the last call in a cycle counts.
      *
-     * @param text 1 to 20 printable ASCII characters other than blanks, brackets, quotes and semicolons
+     * @param text 1 to 20 printable ASCII characters other than spaces, brackets, quotes and semicolons
      */
     public final void say(String text) {
         commands().say(text);
@@ -248,9 +248,9 @@ public class Robot {
 
     /**
      * Requests pass mode: opponents must stay a metre away from the ball for up to four seconds, or until the ball is touched.
-     * The referee grants it in open play to a robot within half a metre of a resting ball, if no opponent is within a metre of
-     * the ball, and at most once every three seconds. The team cannot score in the following ten seconds unless a second player
-     * touches the ball.
+     * The referee grants it in open play to a robot within half a metre of a stationary ball, if no opponent is within
+     * a metre of the ball, and at most once every three seconds. The team cannot score in the following ten seconds
+     * unless a second player touches the ball.
      */
     public final void requestPass() {
         commands().requestPass();

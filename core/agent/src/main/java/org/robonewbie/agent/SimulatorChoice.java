@@ -5,7 +5,7 @@ import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 
 /**
- * Selects the simulator: options such as {@code --seed} require an embedded one, {@code --host} names a server, and
+ * Selects the simulator: options such as {@code --seed} require an embedded one, {@code --host} specifies a server, and
  * without either, a server on this computer is preferred to an embedded simulator.
  */
 final class SimulatorChoice {
@@ -17,7 +17,7 @@ final class SimulatorChoice {
 
     private SimulatorChoice() {}
 
-    /** Rejects options that require an embedded simulator if the same {@link OptionSource} also names a server. */
+    /** Rejects options that require an embedded simulator if the same {@link OptionSource} also specifies a server. */
     static void check(Options options) {
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {

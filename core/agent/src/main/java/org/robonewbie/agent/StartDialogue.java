@@ -34,8 +34,8 @@ final class StartDialogue {
     /**
      * Runs the dialogue.
      *
-     * @param atFirstMessage called when the simulator has answered
-     * @param inPlace called when the robot has answered the first message after the beam to its starting pose
+     * @param atFirstMessage called when the simulator has sent its first message
+     * @param inPlace called when the robot has responded to the first message after beaming to its starting pose
      */
     void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
         robot.sensors().setTeam(options.team());

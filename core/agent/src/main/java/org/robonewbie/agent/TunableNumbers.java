@@ -156,7 +156,7 @@ public final class TunableNumbers {
         }
     }
 
-    /** Publishes the numbers periodically, because viewers connect and disconnect unannounced. */
+    /** Publishes the numbers periodically, because viewers connect and disconnect without notice. */
     private void publish(TelemetryPublisher viewer, boolean changed) {
         cyclesUntilPublished--;
         if (changed || cyclesUntilPublished < 0) {

@@ -6,76 +6,76 @@ import java.util.Optional;
 /**
  * The 22 hinge joints of the NAO, in the order in which a motion file lists their angles.
  *
- * <p>An angle is the rotation of the outer limb relative to the inner one, by the right-hand rule about the joint's axis. All
- * angles are 0 in the construction pose: standing straight with both arms stretched forward. Ranges and names are those of
- * SimSpark's robot {@code rsg/agent/nao/nao.rsg}.
+ * <p>An angle is the rotation of the outer limb relative to the inner one, following the right-hand rule about the
+ * joint's axis. All angles are 0 in the construction pose: standing straight with both arms stretched forward. Ranges
+ * and names are those of SimSpark's robot {@code rsg/agent/nao/nao.rsg}.
  *
  * <pre>{@code
  * double angle = nao.getJointAngle(Joint.LEFT_KNEE_PITCH);   // degrees, negative = bent
  * }</pre>
  */
 public enum Joint {
-    /** Head turns; positive looks to the left. NAO: HeadYaw; SimSpark: hinge hj1, motor he1. */
+    /** Turns the head; positive is to the left. NAO: HeadYaw; SimSpark: hinge hj1, motor he1. */
     NECK_YAW("HeadYaw", "hj1", "he1", -120, 120),
-    /** Head nods; positive looks up. NAO: HeadPitch; SimSpark: hinge hj2, motor he2. */
+    /** Nods the head; positive is up. NAO: HeadPitch; SimSpark: hinge hj2, motor he2. */
     NECK_PITCH("HeadPitch", "hj2", "he2", -45, 45),
-    /** Left arm swings; 0 is stretched forward, positive lifts it. NAO: LShoulderPitch; SimSpark: hinge laj1, motor lae1. */
+    /** Swings the left arm; 0 is stretched forward, positive lifts it. NAO: LShoulderPitch; SimSpark: hinge laj1, motor lae1. */
     LEFT_SHOULDER_PITCH("LShoulderPitch", "laj1", "lae1", -120, 120),
-    /** Left arm swings sideways; positive is outward. NAO: LShoulderRoll; SimSpark: hinge laj2, motor lae2. */
+    /** Swings the left arm sideways; positive is outward. NAO: LShoulderRoll; SimSpark: hinge laj2, motor lae2. */
     LEFT_SHOULDER_YAW("LShoulderRoll", "laj2", "lae2", -1, 95),
     /**
-     * Left forearm turns about its own axis; right-hand rule about the forearm. NAO: LElbowYaw; SimSpark: hinge laj3, motor
-     * lae3.
+     * Turns the left forearm about its own axis; right-hand rule about the forearm. NAO: LElbowYaw; SimSpark: hinge
+     * laj3, motor lae3.
      */
     LEFT_ARM_ROLL("LElbowYaw", "laj3", "lae3", -120, 120),
-    /** Left elbow; negative bends inward. NAO: LElbowRoll; SimSpark: hinge laj4, motor lae4. */
+    /** Bends the left elbow; negative is inward. NAO: LElbowRoll; SimSpark: hinge laj4, motor lae4. */
     LEFT_ARM_YAW("LElbowRoll", "laj4", "lae4", -90, 1),
     /**
-     * Left leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: LHipYawPitch;
+     * Turns the left leg about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: LHipYawPitch;
      * SimSpark: hinge llj1, motor lle1.
      */
     LEFT_HIP_YAW_PITCH("LHipYawPitch", "llj1", "lle1", -90, 1),
-    /** Left leg swings sideways; positive is outward. NAO: LHipRoll; SimSpark: hinge llj2, motor lle2. */
+    /** Swings the left leg sideways; positive is outward. NAO: LHipRoll; SimSpark: hinge llj2, motor lle2. */
     LEFT_HIP_ROLL("LHipRoll", "llj2", "lle2", -25, 45),
-    /** Left thigh; positive swings it forward. NAO: LHipPitch; SimSpark: hinge llj3, motor lle3. */
+    /** Swings the left thigh; positive is forward. NAO: LHipPitch; SimSpark: hinge llj3, motor lle3. */
     LEFT_HIP_PITCH("LHipPitch", "llj3", "lle3", -25, 100),
-    /** Left knee; negative bends it. NAO: LKneePitch; SimSpark: hinge llj4, motor lle4. */
+    /** Bends the left knee; 0 is straight, negative is bent. NAO: LKneePitch; SimSpark: hinge llj4, motor lle4. */
     LEFT_KNEE_PITCH("LKneePitch", "llj4", "lle4", -130, 1),
-    /** Left ankle; positive lifts the toes. NAO: LAnklePitch; SimSpark: hinge llj5, motor lle5. */
+    /** Tilts the left foot forward and back; positive lifts the toes. NAO: LAnklePitch; SimSpark: hinge llj5, motor lle5. */
     LEFT_FOOT_PITCH("LAnklePitch", "llj5", "lle5", -45, 75),
     /**
-     * Left ankle tilts sideways; right-hand rule about the forward axis. NAO: LAnkleRoll; SimSpark: hinge llj6, motor
-     * lle6.
+     * Tilts the left foot sideways; right-hand rule about the forward axis. NAO: LAnkleRoll; SimSpark: hinge llj6,
+     * motor lle6.
      */
     LEFT_FOOT_ROLL("LAnkleRoll", "llj6", "lle6", -45, 25),
     /**
-     * Right leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: RHipYawPitch;
+     * Turns the right leg about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: RHipYawPitch;
      * SimSpark: hinge rlj1, motor rle1.
      */
     RIGHT_HIP_YAW_PITCH("RHipYawPitch", "rlj1", "rle1", -90, 1),
-    /** Right leg swings sideways; negative is outward. NAO: RHipRoll; SimSpark: hinge rlj2, motor rle2. */
+    /** Swings the right leg sideways; negative is outward. NAO: RHipRoll; SimSpark: hinge rlj2, motor rle2. */
     RIGHT_HIP_ROLL("RHipRoll", "rlj2", "rle2", -45, 25),
-    /** Right thigh; positive swings it forward. NAO: RHipPitch; SimSpark: hinge rlj3, motor rle3. */
+    /** Swings the right thigh; positive is forward. NAO: RHipPitch; SimSpark: hinge rlj3, motor rle3. */
     RIGHT_HIP_PITCH("RHipPitch", "rlj3", "rle3", -25, 100),
-    /** Right knee; negative bends it. NAO: RKneePitch; SimSpark: hinge rlj4, motor rle4. */
+    /** Bends the right knee; 0 is straight, negative is bent. NAO: RKneePitch; SimSpark: hinge rlj4, motor rle4. */
     RIGHT_KNEE_PITCH("RKneePitch", "rlj4", "rle4", -130, 1),
-    /** Right ankle; positive lifts the toes. NAO: RAnklePitch; SimSpark: hinge rlj5, motor rle5. */
+    /** Tilts the right foot forward and back; positive lifts the toes. NAO: RAnklePitch; SimSpark: hinge rlj5, motor rle5. */
     RIGHT_FOOT_PITCH("RAnklePitch", "rlj5", "rle5", -45, 75),
     /**
-     * Right ankle tilts sideways; right-hand rule about the forward axis. NAO: RAnkleRoll; SimSpark: hinge rlj6, motor
-     * rle6.
+     * Tilts the right foot sideways; right-hand rule about the forward axis. NAO: RAnkleRoll; SimSpark: hinge rlj6,
+     * motor rle6.
      */
     RIGHT_FOOT_ROLL("RAnkleRoll", "rlj6", "rle6", -25, 45),
-    /** Right arm swings; 0 is stretched forward, positive lifts it. NAO: RShoulderPitch; SimSpark: hinge raj1, motor rae1. */
+    /** Swings the right arm; 0 is stretched forward, positive lifts it. NAO: RShoulderPitch; SimSpark: hinge raj1, motor rae1. */
     RIGHT_SHOULDER_PITCH("RShoulderPitch", "raj1", "rae1", -120, 120),
-    /** Right arm swings sideways; negative is outward. NAO: RShoulderRoll; SimSpark: hinge raj2, motor rae2. */
+    /** Swings the right arm sideways; negative is outward. NAO: RShoulderRoll; SimSpark: hinge raj2, motor rae2. */
     RIGHT_SHOULDER_YAW("RShoulderRoll", "raj2", "rae2", -95, 1),
     /**
-     * Right forearm turns about its own axis; right-hand rule about the forearm. NAO: RElbowYaw; SimSpark: hinge raj3, motor
-     * rae3.
+     * Turns the right forearm about its own axis; right-hand rule about the forearm. NAO: RElbowYaw; SimSpark: hinge
+     * raj3, motor rae3.
      */
     RIGHT_ARM_ROLL("RElbowYaw", "raj3", "rae3", -120, 120),
-    /** Right elbow; positive bends inward. NAO: RElbowRoll; SimSpark: hinge raj4, motor rae4. */
+    /** Bends the right elbow; positive is inward. NAO: RElbowRoll; SimSpark: hinge raj4, motor rae4. */
     RIGHT_ARM_YAW("RElbowRoll", "raj4", "rae4", -1, 90);
 
     /** The number of joints. */

@@ -32,7 +32,7 @@ public enum Landmark {
         return simSparkName;
     }
 
-    /** {@return the side of the pitch on which the landmark stands} */
+    /** {@return the side of the pitch on which the landmark is located} */
     public TeamSide side() {
         return side;
     }

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The states of the game that the referee sets, with the names and in the order of SimSpark 0.7.3. */
+/** The game states set by the referee, with the names and in the order of SimSpark 0.7.3. */
 public enum PlayMode {
     /** Play has not begun; robots may be beamed. */
     BEFORE_KICK_OFF("BeforeKickOff"),
@@ -23,9 +23,9 @@ public enum PlayMode {
     CORNER_KICK_LEFT("corner_kick_left"),
     /** Corner kick for the right team. */
     CORNER_KICK_RIGHT("corner_kick_right"),
-    /** The left team kicks from its goal area. */
+    /** Goal kick for the left team, from its goal area. */
     GOAL_KICK_LEFT("goal_kick_left"),
-    /** The right team kicks from its goal area. */
+    /** Goal kick for the right team, from its goal area. */
     GOAL_KICK_RIGHT("goal_kick_right"),
     /** The left team was offside; this rule is disabled in SimSpark. */
     OFFSIDE_LEFT("offside_left"),
@@ -45,9 +45,9 @@ public enum PlayMode {
     DIRECT_FREE_KICK_LEFT("direct_free_kick_left"),
     /** Direct free kick for the right team. */
     DIRECT_FREE_KICK_RIGHT("direct_free_kick_right"),
-    /** The left team passes; opponents must keep away from the ball. */
+    /** Pass mode for the left team; opponents must keep away from the ball. */
     PASS_LEFT("pass_left"),
-    /** The right team passes; opponents must keep away from the ball. */
+    /** Pass mode for the right team; opponents must keep away from the ball. */
     PASS_RIGHT("pass_right");
 
     /** Cached results of {@link #ofSimSparkName}, which is called in every cycle. */

@@ -3,10 +3,10 @@ package org.robonewbie.nao;
 import java.io.Serializable;
 
 /**
- * A point or direction in space; components are in metres unless a method says otherwise.
+ * A point or direction in space; components are in metres unless stated otherwise.
  *
- * <p>In this framework x points forward, y to the left and z up. Code that works in SimSpark's own frame (x right, y
- * forward, z up) says so.
+ * <p>In this framework x points forward, y to the left and z up. Code that uses SimSpark's own frame (x right, y
+ * forward, z up) is documented as such.
  *
  * @param x first component
  * @param y second component

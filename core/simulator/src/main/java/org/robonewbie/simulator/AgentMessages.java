@@ -1,7 +1,7 @@
 package org.robonewbie.simulator;
 
 /**
- * The messages that simulator and agent exchanged in one cycle, in wire format without length prefixes.
+ * The messages that the simulator and an agent exchanged in one cycle, in wire format without length prefixes.
  *
  * @param robot id of the robot's connection, as in {@link RobotSnapshot#id}
  * @param cycle number of the cycle since the start, as in {@link WorldSnapshot#cycle}

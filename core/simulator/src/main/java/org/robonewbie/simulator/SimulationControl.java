@@ -43,7 +43,7 @@ public interface SimulationControl {
      */
     default void restore(WorldSnapshot before, WorldSnapshot target) {}
 
-    /** {@return the graded trial that runs in this world; empty for free play} */
+    /** {@return the graded trial that is running in this world; empty for free play} */
     default Optional<TrialLabel> trial() {
         return Optional.empty();
     }
@@ -77,22 +77,23 @@ public interface SimulationControl {
     void removeObserver(SimulationObserver observer);
 
     /**
-     * Saves the exact state of the world between two cycles, as soon as every agent has answered.
+     * Saves the exact state of the world between two cycles, as soon as every agent has responded.
      *
-     * @param receiver receives the state on the simulation thread; empty if the world cannot be saved or an agent does not
-     *     answer in time
+     * @param receiver receives the state on the simulation thread; empty if the world cannot be saved or an agent does
+     *     not respond in time
      */
     default void save(Consumer<Optional<WorldState>> receiver) {
         receiver.accept(Optional.empty());
     }
 
     /**
-     * Continues from a saved state between two cycles, as soon as every agent has answered. The cycle counter and the
-     * recording continue. In-process agents that offer their state are restored too; other agents keep their memory.
+     * Restores a saved state between two cycles, as soon as every agent has responded. The cycle counter and the
+     * recording continue. In-process agents that offer their state are also restored; other agents keep their current
+     * state.
      *
      * @param state the state
      * @param receiver receives the number of restored agents; empty if the state is incompatible with this world, which
-     *     then remains unchanged, or if an agent does not answer in time
+     *     then remains unchanged, or if an agent does not respond in time
      */
     default void restore(WorldState state, Consumer<OptionalInt> receiver) {
         receiver.accept(OptionalInt.empty());

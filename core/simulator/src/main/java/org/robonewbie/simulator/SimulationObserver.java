@@ -24,7 +24,7 @@ public interface SimulationObserver {
     }
 
     /**
-     * Called for each match event of a cycle, before {@link #cycleEnded}.
+     * Called for each match event in a cycle, before {@link #cycleEnded}.
      *
      * @param event a goal, a foul or a change of play mode
      */

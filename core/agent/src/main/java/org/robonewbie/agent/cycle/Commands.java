@@ -133,7 +133,7 @@ public final class Commands {
     }
 
     /**
-     * Beams the robot, and reports the call if the referee does not allow a beam.
+     * Beams the robot, and reports the call if the referee does not allow beaming.
      *
      * @param x metres from the centre towards the opponents' goal
      * @param y metres to the left of the centre

@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** Source of a robot's perceptions and sink for its commands. */
+/** Source of a robot's perceptor messages and sink for its commands. */
 public interface MessagePort extends AutoCloseable {
 
     /**

@@ -143,7 +143,7 @@ public final class SensorState {
         return falls;
     }
 
-    /** {@return the orientation of the torso: upright, or the side on which the robot lies} */
+    /** {@return the orientation of the torso: upright, or the side on which the robot is lying} */
     public BodyPosition bodyPosition() {
         return falls.bodyPosition();
     }

@@ -11,8 +11,8 @@ import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Error-state Kalman filter for position, attitude and velocity of the torso. The gyroscope and the accelerometer
- * predict the state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and
- * the support foot correct the drift.
+ * predict the state by inertial navigation, even while the robot is falling, lying on the ground or getting up;
+ * landmarks and the support foot correct the drift.
  *
  * <p>The error state contains a small rotation vector instead of angles, so there is no singular attitude (J. Solà,
  * <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).

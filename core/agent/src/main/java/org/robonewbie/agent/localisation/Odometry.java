@@ -71,7 +71,7 @@ public final class Odometry {
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
     }
 
-    /** {@return whether a foot is known to stand on the ground, so that {@link #step} is valid} */
+    /** {@return whether a foot is known to be on the ground, so that {@link #step} is valid} */
     boolean isStanding() {
         return standing;
     }
@@ -113,7 +113,7 @@ public final class Odometry {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
     }
 
-    /** Returns the pose of the torso in the frame of a foot that stands flat on the ground. */
+    /** Returns the pose of the torso in the frame of a foot that is flat on the ground. */
     private static Pose2d torsoOn(BodyPoses body, Leg leg) {
         Pose torso = body.foot(leg).inverse();
         Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));

@@ -31,8 +31,8 @@ import org.robonewbie.nao.model.RobotType;
  *
  * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
  *
- * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre of the
- * field.
+ * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin at the centre
+ * of the field.
  *
  * <pre>{@code
  * private final SelfLocalisation self = new SelfLocalisation();
@@ -149,7 +149,7 @@ public final class SelfLocalisation {
         return known;
     }
 
-    /** {@return the time in seconds since the last correction by a landmark; infinite if there was none} */
+    /** {@return the time in seconds since the last correction based on a landmark; infinite if there was none} */
     public double ageSeconds() {
         return nowSeconds - seenSeconds;
     }
@@ -159,7 +159,7 @@ public final class SelfLocalisation {
         return filter.torso().position().z();
     }
 
-    /** {@return the forward tilt of the torso in degrees; 90 if the robot lies on its front} */
+    /** {@return the forward tilt of the torso in degrees; 90 if the robot is lying on its front} */
     public double leanDegrees() {
         double down = -filter.torso().rotation().apply(new Vector3(1, 0, 0)).z();
         return PortableMath.toDegrees(PortableMath.asin(Math.max(-1, Math.min(1, down))));
@@ -179,7 +179,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Compensates for the tilt of the torso: to a robot that tilts forward, the ball appears higher than it is.
+     * Compensates for the tilt of the torso: to a robot that is leaning forward, the ball appears higher than it is.
      *
      * @param seen position in metres relative to any point of the torso, along its axes: x forward, y left, z up
      * @return the position relative to the same point: x forward and y left in the horizontal plane, z up
@@ -209,7 +209,7 @@ public final class SelfLocalisation {
 
     /**
      * Corrects the pose using the sightings, and counts successive pictures that contradict it: after several of them,
-     * the pose is discarded, so a robot that was moved localises itself again.
+     * the pose is discarded, so a robot that has been moved localises itself again.
      */
     private void believe(List<Sighting> sightings, Pose camera) {
         long strange = sightings.stream()
@@ -253,7 +253,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Returns the weighted least-squares fit of the sightings to the map. Near landmarks have more weight, because
+     * Returns the weighted least-squares fit of the sightings to the map. Closer landmarks have more weight, because
      * errors grow with distance. In the plane, the fit has a closed form (Procrustes problem without scaling).
      */
     private static Pose2d fit(List<Sighting> sightings) {

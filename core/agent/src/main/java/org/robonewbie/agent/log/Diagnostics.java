@@ -50,7 +50,7 @@ public final class Diagnostics {
     }
 
     /**
-     * Reports an error at the line of the program that is being executed.
+     * Reports an error at the program line that is being executed.
      *
      * @param kind distinguishes this error from others on the same line; must not contain values that change
      * @param text what happened, the value that caused it, and what to do

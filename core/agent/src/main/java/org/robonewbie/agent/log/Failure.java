@@ -20,7 +20,7 @@ public final class Failure {
     }
 
     /**
-     * Returns the line of the program that failed.
+     * Returns the program line that failed.
      *
      * @param thrown the exception
      * @return file and line, such as {@code WalkToBall.java:31}; empty if only the framework was running

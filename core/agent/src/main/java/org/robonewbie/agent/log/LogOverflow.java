@@ -15,7 +15,7 @@ public interface LogOverflow {
     /**
      * Stops storing lines.
      *
-     * @return a line that says where the lines are stored; empty if there are none
+     * @return a log line with the location of the stored lines; empty if there are none
      */
     String closingNote();
 }

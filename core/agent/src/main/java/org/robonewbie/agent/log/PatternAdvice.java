@@ -3,7 +3,7 @@ package org.robonewbie.agent.log;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Diagnosis of a {@link String#format} pattern that does not fit its values, as a sentence that says what to write instead. */
+/** Diagnosis of a {@link String#format} pattern that does not match its values, as a sentence that suggests what to write instead. */
 final class PatternAdvice {
 
     private static final Pattern SPECIFIER = Pattern.compile("%(\\d+\\$|<)?([-#+ 0,(]*)\\d*(\\.\\d+)?([a-zA-Z%])?");
@@ -38,7 +38,7 @@ final class PatternAdvice {
     /**
      * Describes the first error in a pattern.
      *
-     * @param pattern a pattern that does not fit its values
+     * @param pattern a pattern that does not match its values
      * @param values its values
      * @return a sentence
      */

@@ -64,7 +64,7 @@ public final class RunLog implements Logger {
     }
 
     /**
-     * Sets the listener for patterns that do not fit their values.
+     * Sets the listener for patterns that do not match their values.
      *
      * @param listener called with a description of the error, in the logging thread
      */

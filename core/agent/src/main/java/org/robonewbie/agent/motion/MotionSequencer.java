@@ -26,8 +26,8 @@ import org.robonewbie.nao.text.FileName;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts transitions such as stopping or
- * starting to walk where a motion cannot follow directly.
+ * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts transitions such as
+ * stopping or starting to walk where a motion cannot directly follow the previous one.
  */
 public final class MotionSequencer implements Motions {
 
@@ -142,10 +142,10 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Returns the name of the motion that currently moves a joint.
+     * Returns the name of the motion that is currently moving a joint.
      *
      * @param joint the joint
-     * @return the motion's name; empty if no motion moves the joint
+     * @return the motion's name; empty if no motion is moving the joint
      */
     public Optional<String> turning(Joint joint) {
         return player.filter(playing -> !isFinished() && playing.turns(joint))
@@ -264,7 +264,7 @@ public final class MotionSequencer implements Motions {
 
     /**
      * Reports joint speeds that the motors cannot reach. Shipped motions are skipped, because they are tested and a
-     * kick may use the full speed of a motor.
+     * kick may use a motor's full speed.
      */
     private void reportProblems(MotionPlayer next, MotionFile file) {
         int fromKeyframe = file.property("start").isPresent() ? 1 : 0;

@@ -35,7 +35,7 @@ final class MotionStates {
         return state.equals(STANCE);
     }
 
-    /** Returns whether a motion can start now. A motion without a declaration starts whenever the robot stands. */
+    /** Returns whether a motion can start now. A motion without a declaration can start whenever the robot is standing. */
     boolean canStart(MotionFile file) {
         return canStart(file, state, lastMotion);
     }

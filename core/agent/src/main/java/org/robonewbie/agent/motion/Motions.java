@@ -6,8 +6,8 @@ import org.robonewbie.nao.motion.Motion;
 
 /**
  * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished} returns
- * true. A motion begins from the current posture; if necessary, a walking robot stops first, and a standing robot that
- * is to walk takes a first step.
+ * true. A motion begins from the current posture; if necessary, a walking robot stops first, and a standing robot takes
+ * a first step before it walks.
  *
  * <pre>{@code
  * if (motions.isFinished()) {
@@ -16,12 +16,13 @@ import org.robonewbie.nao.motion.Motion;
  * }</pre>
  *
  * <p>A motion file declares its start and end states in the comments {@code // start: stance} and {@code // end: stance}; for
- * example, after {@code // end: walking} the robot stops before it turns. A motion without these comments starts when the robot
- * stands.
+ * example, after {@code // end: walking} the robot stops before it turns. A motion without these comments can start
+ * when the robot is standing.
  *
  * <p>A fallen robot gets up first if the motion declares a start state in which the robot is on its feet.
  *
- * <p>A joint that the program commands while a motion runs follows the program until the next motion starts.
+ * <p>If the program commands a joint while a motion is running, the joint follows the program until the next motion
+ * starts.
  */
 public interface Motions {
 
@@ -72,8 +73,8 @@ public interface Motions {
     void stop();
 
     /**
-     * Stops the running motion as {@link #stop} does, and assumes that the robot stands with straight legs, as after a
-     * beam.
+     * Stops the running motion as {@link #stop} does, and assumes that the robot is standing with straight legs, as
+     * after a beam.
      */
     void reset();
 

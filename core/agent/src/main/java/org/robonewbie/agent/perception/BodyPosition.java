@@ -2,15 +2,15 @@ package org.robonewbie.agent.perception;
 
 /** Orientation of the robot's torso relative to the ground. */
 public enum BodyPosition {
-    /** The torso is upright or tilts by less than 60 degrees. */
+    /** The torso is upright or tilted by less than 60 degrees. */
     UPRIGHT,
-    /** The robot lies on its back. */
+    /** The robot is lying on its back. */
     LYING_ON_BACK,
-    /** The robot lies on its front. */
+    /** The robot is lying on its front. */
     LYING_ON_FRONT,
-    /** The robot lies on its left side. */
+    /** The robot is lying on its left side. */
     LYING_ON_LEFT_SIDE,
-    /** The robot lies on its right side. */
+    /** The robot is lying on its right side. */
     LYING_ON_RIGHT_SIDE;
 
     /** {@return whether the robot has to get up: true unless it is upright} */

@@ -26,8 +26,8 @@ public record CameraPicture(List<Sighting> sightings, Optional<Truth> truth) {
     public record Sighting(String name, Direction direction) {}
 
     /**
-     * True positions in the frame of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre
-     * of the field.
+     * True positions in the frame of the robot's team: x towards the opponents' goal, y to the left, the origin at the
+     * centre of the field.
      *
      * @param head position of the centre of the robot's head, in metres
      * @param headDegrees heading of the head; 0 is towards the opponents' goal, positive is left

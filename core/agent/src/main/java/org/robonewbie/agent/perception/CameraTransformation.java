@@ -6,7 +6,7 @@ import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Converts directions relative to the turned head to directions relative to a head that looks straight ahead. Implement this
+ * Converts directions relative to a turned head to directions relative to a head facing straight ahead. Implement this
  * interface to try a better conversion.
  */
 @FunctionalInterface
@@ -31,7 +31,7 @@ public interface CameraTransformation {
     };
 
     /**
-     * Converts a direction relative to the head to the direction relative to a head that looks straight ahead.
+     * Converts a direction relative to the head to the direction relative to a head facing straight ahead.
      *
      * @param seen direction of an object relative to the head; bearing 0 is straight ahead of the head
      * @param neckYawDegrees yaw angle of the neck; positive is left

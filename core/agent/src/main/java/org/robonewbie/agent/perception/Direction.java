@@ -6,7 +6,7 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Polar coordinates of an object, as seen by a robot that looks straight ahead.
+ * Polar coordinates of an object, as seen by a robot looking straight ahead.
  *
  * @param distance distance from the centre of the head, in metres
  * @param bearing horizontal angle from the torso's forward direction in degrees; positive is left

@@ -54,7 +54,7 @@ public final class FallDetector {
         return length == 0 ? 0 : PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, up / length))));
     }
 
-    /** {@return the orientation of the torso: upright, or the side on which the robot lies} */
+    /** {@return the orientation of the torso: upright, or the side on which the robot is lying} */
     public BodyPosition bodyPosition() {
         if (up >= COSINE_OF_FALL * length()) {
             return BodyPosition.UPRIGHT;

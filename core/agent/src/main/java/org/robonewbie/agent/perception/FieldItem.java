@@ -9,7 +9,7 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
  * An object on the field in the robot's memory: seen now, some time ago, or never. The instance stays the same and is updated
  * with each camera picture, so programs may keep it.
  *
- * <p>All directions are relative to a head that looks straight ahead. They date from the last sighting and do not
+ * <p>All directions are relative to a head facing straight ahead. They date from the last sighting and do not
  * account for the robot's movement since then.
  *
  * <pre>{@code
@@ -132,8 +132,8 @@ public class FieldItem {
     }
 
     /**
-     * {@return the angle in degrees that the robot has to turn to face the object, positive is left; 0 if the object
-     * was never seen, in which case the call is reported}
+     * {@return the angle in degrees through which the robot has to turn to face the object; positive is left; 0 if the
+     * object was never seen, in which case the call is reported}
      */
     public final double bearing() {
         checkKnown("bearing");

@@ -25,8 +25,8 @@ public final class FieldMemory implements LocalFieldView {
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
     /**
-     * All robots that were seen since the last beam. They are kept even while their last sighting is too old for them
-     * to be listed.
+     * All robots that were seen since the last beam. They are kept even if their last sighting is too old for them to
+     * be listed.
      */
     private final List<PlayerItem> met = new ArrayList<>();
 
@@ -165,7 +165,7 @@ public final class FieldMemory implements LocalFieldView {
     @Override
     public List<LineItem> lines() {
         if (!seenLines.isEmpty()) {
-            lines = facingForward(seenLines); // computed on demand: few programs read the many lines
+            lines = facingForward(seenLines); // computed on demand, because few programs read them
             seenLines = List.of();
         }
         return lines;

@@ -5,7 +5,7 @@ import org.robonewbie.nao.Landmark;
 
 /**
  * The robot's memory of the field around it. The camera covers 120° and takes a picture in every third cycle; each
- * object keeps the position of its last sighting, converted to the view of a robot that looks straight ahead.
+ * object keeps the position of its last sighting, converted to the view of a robot looking straight ahead.
  *
  * <p>Head rotations are compensated, by {@link CameraTransformation#SUM_OF_ANGLES} unless another transformation is set. Other
  * movements of the robot since the last sighting are not: the higher {@link FieldItem#ageSeconds}, the less reliable the
@@ -15,7 +15,7 @@ import org.robonewbie.nao.Landmark;
  * if (fieldView.ball().isVisible() && fieldView.ball().distance() < 0.5) { ... }
  * }</pre>
  *
- * <p>Left and right posts are named as seen by a player that faces the goal from the field.
+ * <p>Left and right posts are named as seen by a player facing the goal from the field.
  */
 public interface LocalFieldView {
 

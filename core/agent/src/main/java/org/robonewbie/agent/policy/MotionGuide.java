@@ -24,7 +24,7 @@ import org.robonewbie.nao.motion.Posture;
 public final class MotionGuide {
 
     /**
-     * Name of the policy's parameter list that holds the motion: for each keyframe, its duration in milliseconds and
+     * Name of the policy's parameter list that contains the motion: for each keyframe, its duration in milliseconds and
      * the angles of all joints in degrees.
      */
     public static final String MOTION = "motion";

@@ -77,7 +77,7 @@ public record Policy(
      *
      * @param wantedInputs the expected inputs
      * @param wantedOutputs the expected outputs
-     * @throws IllegalArgumentException if the inputs or outputs differ; the message names the first difference
+     * @throws IllegalArgumentException if the inputs or outputs differ; the message describes the first difference
      */
     public void require(List<Quantity> wantedInputs, List<Quantity> wantedOutputs) {
         require("input", inputs, wantedInputs);

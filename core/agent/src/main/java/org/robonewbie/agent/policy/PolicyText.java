@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are comments.
+ * Text format of policies: one statement per line, words separated by spaces. Lines that begin with # are comments.
  *
  * <pre>
  * policy 1 walk
@@ -48,7 +48,7 @@ public final class PolicyText {
      *
      * @param text the text
      * @return the policy
-     * @throws IllegalArgumentException if the text is invalid; the message names the line
+     * @throws IllegalArgumentException if the text is invalid; the message identifies the line
      */
     public static Policy parse(String text) {
         PolicyText reader = new PolicyText();

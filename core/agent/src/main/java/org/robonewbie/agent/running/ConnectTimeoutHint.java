@@ -6,8 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Hint that is printed when the server does not answer: another program may use its port, or the simulator is paused or
- * waiting for more players. The robot continues to wait.
+ * Hint that is printed when the server does not respond: another program may use its port, or the simulator is paused
+ * or waiting for more players. The robot continues to wait.
  */
 public final class ConnectTimeoutHint implements AutoCloseable {
 
@@ -23,7 +23,7 @@ public final class ConnectTimeoutHint implements AutoCloseable {
      * Schedules the hint to be printed on {@code System.err} after five seconds, unless it is closed first.
      *
      * @param place address of the server, such as {@code localhost:3100}
-     * @return the hint; close it when the server has answered
+     * @return the hint; close it when the server has responded
      */
     public static ConnectTimeoutHint of(String place) {
         return after(TIMEOUT, place, System.err);

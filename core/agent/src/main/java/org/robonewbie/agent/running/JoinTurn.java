@@ -26,7 +26,7 @@ public final class JoinTurn {
         this.silence = silence;
     }
 
-    /** Records that the server has answered the robot. */
+    /** Records that the server has responded to the robot. */
     public void answered() {
         answered.countDown();
     }
@@ -38,9 +38,10 @@ public final class JoinTurn {
     }
 
     /**
-     * Waits until the turn is over, or gives up if the server does not answer within a second.
+     * Waits until the turn is over, or gives up if the server does not respond within a second.
      *
-     * @return whether the server has answered; if not, it is waiting for more robots to join before its first cycle
+     * @return whether the server has responded; if not, it is waiting for more robots to join before it starts its
+     *     clock
      */
     public boolean await() {
         try {

@@ -138,7 +138,7 @@ public final class SimulatorConnection implements AutoCloseable {
      * Connects one more robot.
      *
      * @return the robot's end of the connection
-     * @throws IOException if the simulator does not answer
+     * @throws IOException if the simulator does not respond
      */
     public AgentLink connect() throws IOException {
         return connector.connect();
@@ -149,7 +149,7 @@ public final class SimulatorConnection implements AutoCloseable {
         return telemetry;
     }
 
-    /** {@return a sentence that names the simulator, for users} */
+    /** {@return a sentence that describes the simulator, for users} */
     public String description() {
         return description;
     }

@@ -37,7 +37,7 @@ final class SlowCycles {
         }
     }
 
-    /** Adds a sample with the processor time since the previous one. */
+    /** Adds a sample with the processor time used since the previous one. */
     synchronized void sample(StackSample sample, double workedMilliseconds) {
         samples.merge(sample, 1, Integer::sum);
         computedMilliseconds += workedMilliseconds;

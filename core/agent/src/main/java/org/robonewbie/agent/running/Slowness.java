@@ -3,7 +3,7 @@ package org.robonewbie.agent.running;
 /**
  * Cause of a program's slow cycles.
  *
- * @param cause what the program does in these cycles, and at which line
+ * @param cause what the program is doing in these cycles, and on which line
  * @param milliseconds median duration of such a cycle
  */
 public record Slowness(StackSample cause, double milliseconds) {

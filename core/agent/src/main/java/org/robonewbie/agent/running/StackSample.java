@@ -8,7 +8,8 @@ import org.robonewbie.agent.log.StudentCode;
  * Activity of a thread at one moment, as shown by its stack.
  *
  * @param kind whether the thread is computing, sleeping or waiting
- * @param call the Java method in which the program sleeps or waits, such as {@code Scanner.nextLine()}; empty if it is computing
+ * @param call the Java method in which the program is sleeping or waiting, such as {@code Scanner.nextLine()}; empty if
+ *     it is computing
  * @param place the line of the robot's own program; empty if only the framework is running
  */
 public record StackSample(Kind kind, String call, String place) {

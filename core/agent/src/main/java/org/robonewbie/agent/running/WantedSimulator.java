@@ -14,7 +14,7 @@ public record WantedSimulator(Kind kind, String host, int port, SimulatorRequest
 
     /** Whether to join a server or to start an embedded simulator. */
     public enum Kind {
-        /** The server if it answers, otherwise an embedded simulator. */
+        /** The server if it responds, otherwise an embedded simulator. */
         ANY,
         /** The server only. */
         SERVER,

@@ -9,7 +9,7 @@ import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.log.Diagnostics;
 
 /**
- * Watchdog thread of a robot program. It reports a cycle that does not end, naming the current line (at most once every
+ * Watchdog thread of a robot program. It reports a cycle that does not end, with the current line (at most once every
  * ten seconds for each line), and a program that is slow in many cycles. It counts its own ticks instead of reading a
  * clock, so no time passes while a debugger suspends the program.
  */
@@ -41,7 +41,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private long same = -1;
     private int ticks;
     private int allTicks;
-    /** Line named in the first report of the current stall and repeated in later ones; empty before the first. */
+    /** Line given in the first report of the current stall and repeated in later ones; empty before the first. */
     private Optional<String> reportedPlace = Optional.empty();
 
     Watchdog(

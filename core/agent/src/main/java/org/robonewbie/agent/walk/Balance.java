@@ -7,7 +7,7 @@ import org.robonewbie.nao.geometry.Angles;
 
 /**
  * Complementary filter for the tilt of the torso: the gyroscope's rates are integrated, and the drift of the integral
- * is slowly corrected towards the direction of gravity that the accelerometer measures. Accelerometer readings during
+ * is slowly corrected towards the direction of gravity measured by the accelerometer. Accelerometer readings during
  * foot impacts are ignored.
  */
 final class Balance {

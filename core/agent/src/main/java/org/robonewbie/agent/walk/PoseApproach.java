@@ -15,7 +15,7 @@ import org.robonewbie.nao.math.PortableMath;
  * walk.towards(velocity.forward(), velocity.left(), velocity.turn());
  * }</pre>
  *
- * @param style style of the walk; pass it to {@link Walk#setStyle} too
+ * @param style style of the walk; also pass it to {@link Walk#setStyle}
  */
 public record PoseApproach(WalkStyle style) {
 

@@ -13,8 +13,8 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * A learned reflex: a network that moves the joints of both legs by up to {@link #RANGE_DEGREES} from the engine's
- * posture. It distinguishes the swing leg from the support leg, not left from right: while the right leg swings, inputs
- * and outputs are mirrored.
+ * posture. It distinguishes the swing leg from the support leg, not left from right: while the right leg is the swing
+ * leg, inputs and outputs are mirrored.
  *
  * @param network maps {@link #INPUTS} to {@link #OUTPUTS}
  */
@@ -54,7 +54,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
             new Quantity("support-foot.point.forward", "0.05 m"),
             new Quantity("support-foot.point.to-swing", "0.05 m"));
 
-    /** Outputs of the network: offset of each leg joint, mirrored while the right leg swings. */
+    /** Outputs of the network: offset of each leg joint, mirrored while the right leg is the swing leg. */
     public static final List<Quantity> OUTPUTS = Stream.of("swing", "support")
             .flatMap(leg -> Leg.LEFT.joints().stream()
                     .map(joint -> joint.name().replace("LEFT", leg))
@@ -84,7 +84,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
         return Posture.of(degrees);
     }
 
-    /** Moves the joints of one leg, mirrored unless the left leg swings. */
+    /** Moves the joints of one leg, mirrored unless the left leg is the swing leg. */
     private static void move(double[] degrees, Leg leg, Leg swing, double scale, double[] outputs, int first) {
         for (int i = 0; i < JOINTS_OF_A_LEG; i++) {
             Joint joint = leg.joints().get(i);

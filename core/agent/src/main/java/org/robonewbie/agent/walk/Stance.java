@@ -5,7 +5,7 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * The standing posture in which motions begin and end: knees bent, torso leaning slightly forward, arms down with bent
- * elbows. The motion {@code stand} ends in it.
+ * elbows. The motion {@code stand} ends in this posture.
  */
 public final class Stance {
 

@@ -8,8 +8,8 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * One step: the swing foot moves to its target while the support foot stands. The torso moves to the midpoint between
- * the feet and sways over the support foot. Inverse kinematics yields the joint angles of the legs.
+ * One step: the swing foot moves to its target while the support foot stays in place. The torso moves to the midpoint
+ * between the feet and sways over the support foot. Inverse kinematics yields the joint angles of the legs.
  *
  * @param gait parameters of the gait
  * @param swing the swing leg

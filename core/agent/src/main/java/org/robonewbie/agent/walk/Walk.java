@@ -4,17 +4,18 @@ package org.robonewbie.agent.walk;
  * An omnidirectional walk, faster and more agile than keyframe motions: forward, sideways and turning at the same time.
  *
  * <pre>{@code
- * walk.towards(0.4, 0, ballBearing);    // turns to the ball while it walks
+ * walk.towards(0.4, 0, ballBearing);    // turns to the ball while walking
  * if (ballDistance < 0.2) {
- *     motions.start("kick-right");      // the robot first stops walking, then it kicks
+ *     motions.start("kick-right");      // the robot first stops walking, then kicks
  * }
  * }</pre>
  *
- * <p>A velocity holds until another one is set, {@link #stop} is called or a motion is started; the robot does not walk while a
- * motion is running. The velocity changes only between steps, and a step cannot be interrupted, so a reaction takes about half
- * a second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} makes it get up.
+ * <p>A velocity stays in effect until another one is set, {@link #stop} is called or a motion is started; the robot
+ * does not walk while a motion is running. The velocity changes only between steps, and a step cannot be interrupted,
+ * so a reaction takes about half a second. A robot that is lying on the ground does not walk; {@code
+ * motions.startGetUp()} makes it get up.
  *
- * <p>The postures are computed by {@link WalkEngine}, which explains the method.
+ * <p>The postures are computed by {@link WalkEngine}, whose documentation explains the method.
  */
 public interface Walk {
 

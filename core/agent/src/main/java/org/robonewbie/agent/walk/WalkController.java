@@ -12,7 +12,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
 
-/** Controls the joints, with the walk engine while the robot walks and with motions otherwise. */
+/** Controls the joints, with the walk engine while the robot is walking and with motions otherwise. */
 public final class WalkController implements Walk {
 
     private static final double NEAR_DEGREES = 8;
@@ -79,13 +79,13 @@ public final class WalkController implements Walk {
         return walking;
     }
 
-    /** {@return {@code walk} while the robot walks, otherwise the name of the running motion, if any} */
+    /** {@return {@code walk} while the robot is walking, otherwise the name of the running motion, if any} */
     public Optional<String> current() {
         return walking ? Optional.of("walk") : motions.current();
     }
 
     /**
-     * {@return the one-based number of the running motion's current keyframe; 0 if the robot walks or no motion is
+     * {@return the one-based number of the running motion's current keyframe; 0 if the robot is walking or no motion is
      * running}
      */
     public int keyframe() {
@@ -127,7 +127,7 @@ public final class WalkController implements Walk {
     }
 
     /**
-     * Starts to walk if the posture is close to {@link Stance}; otherwise the robot first plays the motion {@code
+     * Starts walking if the posture is close to {@link Stance}; otherwise the robot first plays the motion {@code
      * stand}.
      */
     private void start() {

@@ -25,9 +25,9 @@ import org.robonewbie.nao.motion.Posture;
  * turned = max(0, ± 2 slip · ω · T)
  * </pre>
  *
- * <p>so that the midpoint between the feet moves with v. When the robot walks sideways or turns, the leg on the side of
- * the movement steps outward (by twice the distance per step, because it does so only in every other step), and the
- * other leg follows in the next step.
+ * <p>so that the midpoint between the feet moves with the velocity v. When the robot walks sideways or turns, the leg
+ * on the side of the movement steps outward (by twice the distance per step, because it does so only in every other
+ * step), and the other leg follows in the next step.
  *
  * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of the feet and the torso:
  * {@link Step}, with the trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs.
@@ -102,7 +102,7 @@ public final class WalkEngine {
         wanted = newVelocity.within(style.most(), style.backward());
     }
 
-    /** {@return whether the robot stands in the posture {@link Stance} and the requested velocity is zero} */
+    /** {@return whether the robot is standing in the posture {@link Stance} and the requested velocity is zero} */
     public boolean isStanding() {
         return standing && wanted.isZero();
     }

@@ -8,7 +8,7 @@ import org.robonewbie.nao.kinematics.Leg;
  *
  * @param swing the swing leg
  * @param phase step phase, 0 to 1
- * @param amplitude amplitude of the gait: 1 while the robot walks, less in the first and the last step
+ * @param amplitude amplitude of the gait: 1 while walking, less in the first and last steps
  * @param wanted requested velocity
  * @param velocity velocity for which the current step was planned
  * @param pitchError forward tilt of the torso minus the planned tilt, degrees

@@ -14,8 +14,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * Atomic writes: a file appears under its name completely or not at all. Until the file is complete, its name has the
- * suffix {@code .part}, so a killed program or a full disk leaves an existing file unchanged.
+ * Atomic writes: a file appears under its final name only when it is complete. Until then, its name has the suffix
+ * {@code .part}, so a killed program or a full disk leaves an existing file unchanged.
  *
  * <pre>{@code
  * AtomicFile.write(Path.of("report.json"), report.toJson());

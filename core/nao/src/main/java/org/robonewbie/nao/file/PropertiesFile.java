@@ -39,9 +39,9 @@ public final class PropertiesFile {
      * Reads a file. If its encoding was guessed, prints a note to the terminal once.
      *
      * @param file the file
-     * @return the values by name, in file order; the value is empty if a line has only a name
-     * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message names the file and
-     *     line
+     * @return the values by name, in file order; the value is empty if a line contains only a name
+     * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message identifies the file
+     *     and line
      */
     public static Map<String, String> read(Path file) throws UnreadableFileException {
         PropertiesFile properties = new PropertiesFile(file);

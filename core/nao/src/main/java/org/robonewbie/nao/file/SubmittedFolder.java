@@ -43,7 +43,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
      * Checks and lists the folder.
      *
      * @return all files in a fixed order; for a single file, the file itself
-     * @throws UnreadableFileException if a file is rejected; the message names the file and says what to do
+     * @throws UnreadableFileException if a file is rejected; the message identifies the file and says what to do
      */
     public List<Path> files() throws UnreadableFileException {
         Inspection inspection = new Inspection(realRoot());

@@ -8,7 +8,7 @@ import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
  * Reads text files in the encodings that editors, spreadsheets and shells use; see {@link DecodedText}. Intended for
- * files that users edit; files that only programs write are always in UTF-8.
+ * files that users edit; files written only by programs are always in UTF-8.
  *
  * <pre>{@code
  * for (String line : TextFile.read(Path.of("teams.properties")).lines()) { ... }
@@ -28,8 +28,8 @@ public final class TextFile {
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if the file cannot be read or is not text; the message names the file and line,
-     *     and says what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message identifies the file and
+     *     line, and says what to do
      */
     public static DecodedText read(Path file) throws UnreadableFileException {
         byte[] bytes = RegularFile.read(file, MAX_BYTES);
@@ -45,8 +45,8 @@ public final class TextFile {
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if the file cannot be read or is not text; the message names the file and line,
-     *     and says what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message identifies the file and
+     *     line, and says what to do
      */
     public static DecodedText readAndNote(Path file) throws UnreadableFileException {
         DecodedText text = read(file);

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.robonewbie.nao.text.PrintableText;
 
-/** Thrown when a file cannot be read. The message for the user names the file and the reason, and says what to do. */
+/** Thrown when a file cannot be read. The message is intended for the user: it gives the file and the reason, and says what to do. */
 public final class UnreadableFileException extends IOException {
 
     private static final long serialVersionUID = 1L;
@@ -33,7 +33,7 @@ public final class UnreadableFileException extends IOException {
     /**
      * Creates an exception with a complete message.
      *
-     * @param sentence message that names the file, and says why it cannot be read and what to do
+     * @param sentence message with the file, why it cannot be read, and what to do
      */
     public UnreadableFileException(String sentence) {
         super(sentence);

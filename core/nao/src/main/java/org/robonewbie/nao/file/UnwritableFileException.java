@@ -9,7 +9,8 @@ import java.util.Locale;
 import org.robonewbie.nao.text.PrintableText;
 
 /**
- * Thrown when a file cannot be written. The message for the user names the file and the reason, and says what to do.
+ * Thrown when a file cannot be written. The message is intended for the user: it gives the file and the reason, and
+ * says what to do.
  */
 public final class UnwritableFileException extends IOException {
 

@@ -122,7 +122,7 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Returns how far a point lies in front of this pose.
+     * Returns how far a point is in front of this pose.
      *
      * @param point a point in the frame in which this pose is given
      * @return distance along the heading in metres, negative behind
@@ -132,7 +132,7 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Returns how far a point lies to the left of this pose.
+     * Returns how far a point is to the left of this pose.
      *
      * @param point a point in the frame in which this pose is given
      * @return distance perpendicular to the heading in metres, negative to the right

@@ -90,7 +90,7 @@ public final class BodyPoses {
 
     /**
      * Returns the support polygon: the convex hull of all points that touch the ground, or nearly do. The robot keeps its balance
-     * while its centre of mass is above it. Requires poses in the world frame.
+     * while its centre of mass is above this polygon. Requires poses in the world frame.
      *
      * @return the corners on the ground counter-clockwise, seen from above; empty if nothing touches the ground
      */

@@ -199,7 +199,7 @@ public final class BodyState {
     }
 
     /**
-     * Returns whether a robot has fallen. A robot that sits on the ground counts as fallen.
+     * Returns whether a robot has fallen. A robot that is sitting on the ground counts as fallen.
      *
      * @param tiltDegrees tilt of the torso in degrees
      * @param torsoMetres height of the torso's centre above the ground in metres

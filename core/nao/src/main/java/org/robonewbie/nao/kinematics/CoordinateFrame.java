@@ -4,7 +4,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A coordinate frame, given by its origin and axes in a reference frame. It is built by a chain of translations and
+ * A coordinate frame, given by its origin and axes in a reference frame. It is built from a chain of translations and
  * rotations, each along or about the axes of the previous frame. The three axes are the columns of the rotation matrix.
  *
  * <pre>{@code

@@ -15,8 +15,8 @@ import org.robonewbie.nao.motion.Posture;
  * }</pre>
  *
  * <p>Method: damped least squares (Levenberg 1944, Marquardt 1963) with joint limits. A joint at its stop is excluded while the
- * gradient pushes it further. A reachable pose takes a few microseconds. An unreachable one takes up to a millisecond, because
- * the search is repeated from several initial postures. Instances are not thread-safe.
+ * gradient pushes it further. Solving for a reachable pose takes a few microseconds; for an unreachable one, it takes
+ * up to a millisecond, because the search is repeated from several initial postures. Instances are not thread-safe.
  */
 public final class InverseKinematics {
 

@@ -11,7 +11,7 @@ import org.robonewbie.nao.model.NaoModel;
  */
 final class LegSolver {
 
-    /** Position error in metres that costs as much as a rotation error of one radian. */
+    /** Position error in metres that counts as much as a rotation error of one radian. */
     private static final double ROTATION_WEIGHT = 0.2;
 
     private static final int JOINTS = LegChain.JOINTS;

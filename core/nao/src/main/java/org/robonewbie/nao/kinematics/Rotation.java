@@ -5,7 +5,7 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A rotation in space by the right-hand rule, stored as a unit quaternion.
+ * A rotation in space following the right-hand rule, stored as a unit quaternion.
  *
  * <pre>{@code
  * Vector3 left = Rotation.about(new Vector3(0, 0, 1), 90).apply(new Vector3(1, 0, 0));   // (0, 1, 0)
@@ -38,8 +38,8 @@ public record Rotation(double w, double x, double y, double z) {
      * Creates a rotation from intrinsic Tait-Bryan angles: first about z, then about the new y axis, then about the new x axis.
      *
      * @param yawDegrees rotation about z in degrees; positive is to the left
-     * @param pitchDegrees rotation about y in degrees; positive leans forward
-     * @param rollDegrees rotation about x in degrees; positive leans to the right
+     * @param pitchDegrees rotation about y in degrees; positive is forward
+     * @param rollDegrees rotation about x in degrees; positive is to the right
      * @return the rotation
      */
     public static Rotation ofYawPitchRoll(double yawDegrees, double pitchDegrees, double rollDegrees) {

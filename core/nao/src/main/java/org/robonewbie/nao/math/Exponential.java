@@ -1,8 +1,8 @@
 package org.robonewbie.nao.math;
 
 /**
- * The exponential function, as in fdlibm (e_exp.c): with x = n ln 2 + r, the result is 2^n times a rational function of r, which
- * {@link Power} uses too.
+ * The exponential function, as in fdlibm (e_exp.c): with x = n ln 2 + r, the result is 2^n times a rational function of
+ * r, which is also used by {@link Power}.
  */
 final class Exponential {
 
@@ -48,7 +48,7 @@ final class Exponential {
         return Words.scale(1 - ((tail - (reduced * rest) / (2.0 - rest)) - head), n);
     }
 
-    /** Returns c = 2 + x - 2 x / (exp(x) - 1) by a polynomial, from which exp(x) = 1 + 2 x / (2 - c) for x near 0. */
+    /** Returns a polynomial approximation of c = 2 - 2 x / (exp(x) - 1), so exp(x) = 1 + 2 x / (2 - c) for x near 0. */
     static double withoutBend(double x) {
         double square = x * x;
         return x - square * (P1 + square * (P2 + square * (P3 + square * (P4 + square * P5))));

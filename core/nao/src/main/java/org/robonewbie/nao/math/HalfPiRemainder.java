@@ -3,7 +3,7 @@ package org.robonewbie.nao.math;
 import java.math.BigInteger;
 
 /**
- * Argument reduction: the remainder of an angle after subtraction of the nearest multiple of pi/2.
+ * Argument reduction: the remainder of an angle after subtracting the nearest multiple of pi/2.
  *
  * <p>Angles up to 800,000 radians are reduced by the method of Cody and Waite (1980): pi/2 is split into parts of 33 bits, whose
  * multiples are exact, and further parts are used where two numbers nearly cancel. Larger angles are reduced by the method of Payne

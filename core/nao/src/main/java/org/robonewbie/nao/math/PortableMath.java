@@ -15,7 +15,7 @@ package org.robonewbie.nao.math;
  * <p>It uses only operations that IEEE 754 rounds correctly: {@code + - * /}, the square root, comparisons and bit
  * patterns. {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and
  * {@code copySign} are exact on every platform and can be called directly. Algorithms and coefficients are those of
- * fdlibm (Sun Microsystems, 1993), on which {@link StrictMath} is based too: the results equal those of
+ * fdlibm (Sun Microsystems, 1993), on which {@link StrictMath} is also based: the results equal those of
  * {@code StrictMath} bit for bit in all tests, and are always within one unit in the last place. Special cases are
  * handled as in {@code Math}.
  */
@@ -177,7 +177,7 @@ public final class PortableMath {
      * {@return the exact value of dividend - n * divisor, where n is the integer nearest to the quotient, or the even
      * integer in a tie}
      *
-     * <p>The remainder of an angle by 360 is the equivalent angle between -180 and 180 degrees.
+     * <p>The remainder of an angle divided by 360 is the equivalent angle between -180 and 180 degrees.
      *
      * @param dividend the dividend
      * @param divisor the divisor

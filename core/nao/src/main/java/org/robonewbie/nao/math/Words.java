@@ -1,6 +1,6 @@
 package org.robonewbie.nao.math;
 
-/** Access to the 32-bit words of a double. The high word holds sign, exponent and the first 20 bits of the fraction. */
+/** Access to the 32-bit words of a double. The high word contains the sign, the exponent and the first 20 bits of the fraction. */
 final class Words {
 
     private static final int EXPONENT_BIAS = 1023;

@@ -17,9 +17,9 @@ import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
- * The contents of a motion file, including comments. Each line with a keyframe holds its duration in milliseconds and
- * 22 angles in degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //} starts
- * a comment, and a comment {@code // key: value} sets a property. This is the format of the original RoboNewbie
+ * The contents of a motion file, including comments. Each line with a keyframe contains its duration in milliseconds
+ * and 22 angles in degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //}
+ * starts a comment, and a comment {@code // key: value} sets a property. This is the format of the original RoboNewbie
  * framework. Immutable: each change returns a new file in which all other lines keep their exact text.
  *
  * <pre>{@code
@@ -183,7 +183,7 @@ public final class MotionFile {
     }
 
     /**
-     * Returns the position at which the ball must lie for the motion to kick it. A comment such as
+     * Returns the position at which the ball must be for the motion to kick it. A comment such as
      * {@code // ball: 0.190 m ahead, -0.055 m to the left} sets this property.
      *
      * @return the ball's position relative to the torso; empty if the file does not set one
@@ -198,7 +198,7 @@ public final class MotionFile {
     }
 
     /**
-     * Sets the position at which the ball must lie for the motion to kick it.
+     * Sets the position at which the ball must be for the motion to kick it.
      *
      * @param ball the ball's position relative to the torso
      * @return the changed file
@@ -208,7 +208,8 @@ public final class MotionFile {
     }
 
     /**
-     * Sets a property by a comment {@code // key: value}. Changes the first comment with this key, or adds one at the top.
+     * Sets a property, using a comment {@code // key: value}: changes the first comment with this key, or adds one at
+     * the top.
      *
      * @param key the word before the colon
      * @param value the text after the colon, without line terminators

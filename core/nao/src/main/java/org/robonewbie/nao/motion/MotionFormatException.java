@@ -1,8 +1,8 @@
 package org.robonewbie.nao.motion;
 
 /**
- * Thrown when a motion file cannot be parsed. The message names the file, line and column, and says what was found and
- * what was expected.
+ * Thrown when a motion file cannot be parsed. The message gives the file, line and column, what was found and what was
+ * expected.
  */
 public final class MotionFormatException extends RuntimeException {
 

@@ -23,7 +23,7 @@ import org.robonewbie.nao.math.PortableMath;
  * }
  * }</pre>
  *
- * <p>In each cycle a joint gets the speed that moves it from its angle at the time the speed takes effect
+ * <p>In each cycle a joint is given the speed that moves it from its angle at the time the speed takes effect
  * ({@link Motors#expectedDegrees}) to the interpolated angle one cycle later. The trajectory passes through the
  * keyframes without stopping. Half of the tracking error is corrected in each cycle, and all of it in the last one.
  * Each keyframe takes a whole number of cycles of 20 ms, at least one; rounding errors do not accumulate. After the
@@ -70,8 +70,8 @@ public final class MotionPlayer {
     }
 
     /**
-     * Creates a player for the motion of a file. A file with the comment {@code // play: 1.1} is played by the rule of
-     * RoboNewbie 1.1, and any other file with the given interpolation.
+     * Creates a player for the motion in a file. A file with the comment {@code // play: 1.1} is played according to
+     * the rule of RoboNewbie 1.1, and any other file with the given interpolation.
      *
      * @param file the file
      * @param speed speed factor; 1 plays as written, 2 twice as fast

@@ -9,9 +9,10 @@ import org.robonewbie.nao.Joint;
  * receives another one. This class adds target angles, which a joint approaches and holds, and stops joints just before
  * they reach their mechanical stops.
  *
- * <p>It compensates for the delay of the simulation. The speed that answers message k turns the joint in the step
- * before message k + 2. Until then the speed that answered message k - 1 still acts, so when the new speed takes
- * effect, the joint will be at its sensed angle plus one step at that earlier speed: {@link #expectedDegrees}.
+ * <p>It compensates for the delay of the simulation. The speed sent in response to message k turns the joint in the
+ * step before message k + 2. Until then the speed sent in response to message k - 1 is still in effect, so when the new
+ * speed takes effect, the joint will be at its sensed angle plus one step at that earlier speed: {@link
+ * #expectedDegrees}.
  */
 public final class Motors {
 

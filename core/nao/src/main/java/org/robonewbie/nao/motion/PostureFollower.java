@@ -5,8 +5,8 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * Trajectory follower for a plan of one posture per cycle. Each joint gets the speed from the last planned angle to the next one
- * (feedforward), plus a correction of the tracking error (feedback).
+ * Trajectory follower for a plan of one posture per cycle. Each joint is given the speed that leads from the last
+ * planned angle to the next one (feedforward), plus a correction of the tracking error (feedback).
  */
 public final class PostureFollower {
 

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Deserializes the output of a {@link StateWriter}, in the same order. Invalid data causes an {@link IllegalArgumentException}
- * that names the offset.
+ * Deserializes the output of a {@link StateWriter}, in the same order. Invalid data causes an {@link
+ * IllegalArgumentException} whose message contains the offset.
  */
 public final class StateReader {
 

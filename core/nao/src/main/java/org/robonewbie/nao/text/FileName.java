@@ -46,7 +46,7 @@ public final class FileName {
     /**
      * Returns whether a name is short and plain.
      *
-     * @param name a name without folder and extension
+     * @param name a name without folder or extension
      * @param signs valid characters besides letters and digits
      * @param maxCharacters maximum length
      * @return whether it begins with a letter or digit, contains only letters, digits and the given characters, and is
@@ -69,7 +69,7 @@ public final class FileName {
     /**
      * Checks a name that a user chose.
      *
-     * @param name a name without folder and extension
+     * @param name a name without folder or extension
      * @return the problem, phrased to follow the name in a sentence, such as {@code contains "/"}; empty if the name is
      *     valid
      */

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * Suggests corrections of misspelt words: a word that looks the same; failing that, one that contains the misspelt
+ * Suggests corrections for misspelt words: a word that looks the same; failing that, one that contains the misspelt
  * word; failing that, the one with the smallest edit distance (Levenshtein, 1965).
  */
 public final class Spelling {

@@ -2,7 +2,7 @@ package org.robonewbie.nao.text;
 
 /** The text encodings in which editors, spreadsheets and shells save files. */
 public enum TextEncoding {
-    /** The default of nearly every editor. */
+    /** The default in nearly every editor. */
     UTF_8("UTF-8"),
     /** Written by Windows PowerShell and Excel ("Unicode text"); always with a byte order mark. */
     UTF_16_LE("UTF-16LE"),

@@ -2,7 +2,7 @@ package org.robonewbie.nao.text;
 
 import java.io.IOException;
 
-/** Thrown when bytes are not valid text in any supported encoding. The message names the line. */
+/** Thrown when bytes are not valid text in any supported encoding. The message contains the line number. */
 public final class UndecodableTextException extends IOException {
 
     private static final long serialVersionUID = 1L;

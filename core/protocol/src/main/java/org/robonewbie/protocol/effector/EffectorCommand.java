@@ -70,7 +70,7 @@ public sealed interface EffectorCommand {
     record SetHingeSpeed(String effectorName, double radiansPerSecond) implements EffectorCommand {}
 
     /**
-     * Shouts a short text to the other robots: {@code (say hello)}.
+     * Shouts a short message to the other robots: {@code (say hello)}.
      *
      * @param text 1 to 20 printable ASCII characters other than parentheses
      */

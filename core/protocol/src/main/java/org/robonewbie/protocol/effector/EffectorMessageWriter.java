@@ -12,8 +12,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, a format that all servers accept.
- * The writer does not allocate memory.
+ * Formats the commands of an agent. Numbers have up to nine decimal places and no exponent, a format that all servers
+ * accept. The writer does not allocate memory.
  *
  * <pre>{@code
  * new EffectorMessageWriter(buffer).hingeSpeed("he1", 0.5).synchronise();
@@ -137,7 +137,7 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that shouts a short text to the other robots.
+     * Writes the command that shouts a short message to the other robots.
      *
      * @param text 1 to 20 printable ASCII characters other than parentheses, semicolons and quotation marks
      * @return this writer

@@ -9,7 +9,7 @@ import java.io.IOException;
 public interface SimulatorProvider {
 
     /**
-     * Starts a simulator. Its clock starts once the awaited number of agents have connected.
+     * Starts a simulator. Its clock starts once the required number of agents have connected.
      *
      * @param request the configuration
      * @return the running simulator

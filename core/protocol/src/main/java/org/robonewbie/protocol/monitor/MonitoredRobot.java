@@ -42,7 +42,7 @@ public final class MonitoredRobot {
         return player;
     }
 
-    /** {@return the robot type; type 0 if the scene does not show it} */
+    /** {@return the robot type; type 0 if the scene does not indicate it} */
     public RobotType type() {
         return type;
     }

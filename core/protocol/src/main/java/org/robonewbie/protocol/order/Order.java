@@ -139,7 +139,7 @@ public sealed interface Order {
      */
     record SetScore(int left, int right) implements Trainer {}
 
-    /** Resets ball, robots and score to their state at the start of the game. Agents stay connected. */
+    /** Resets the ball, the robots and the score to their state at the start of the game. Agents stay connected. */
     record Reset() implements Order {}
 
     /**

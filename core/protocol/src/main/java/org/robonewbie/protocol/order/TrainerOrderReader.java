@@ -107,8 +107,8 @@ public final class TrainerOrderReader {
     }
 
     /**
-     * Creates the command for the robot that the expression names, or for the selected robot if the number or the team is
-     * missing. Returns empty if the team is unknown.
+     * Creates the command for the robot specified in the expression, or for the selected robot if the number or the
+     * team is missing. Returns empty if the team is unknown.
      */
     private static Optional<Order.Trainer> readPlayer(
             TrainerExpression command, Function<Optional<PlayerNumber>, Order.Trainer> create) {

@@ -16,7 +16,7 @@ import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
  * Formats perceptor messages byte for byte like rcssserver3d 0.7.3: perceptors in the order of the robot's scene file,
- * numbers with two decimals, sub-lists separated by spaces. The writer does not allocate memory.
+ * numbers with two decimal places, sub-lists separated by spaces. The writer does not allocate memory.
  */
 public final class PerceptorMessageWriter {
 

@@ -3,7 +3,8 @@ package org.robonewbie.protocol.sexp;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Converts decimal text to the nearest double by the rules of C's {@code atof}, without allocations for common numbers.
+ * Converts decimal text to the nearest double following the rules of C's {@code atof}, without allocations for common
+ * numbers.
  *
  * <p>Mantissas up to 2^53 and powers of ten up to 10^22 are exact as doubles, so a single division of two such numbers
  * rounds correctly (Clinger 1990, "How to read floating point numbers accurately"). The JDK parses all other numbers.

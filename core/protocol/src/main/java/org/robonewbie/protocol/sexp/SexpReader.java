@@ -41,7 +41,7 @@ public final class SexpReader {
 
     /**
      * Creates a reader for messages to a server: {@code "two words"} is one atom without its quotation marks, in which a backslash
-     * escapes the next character, and {@code '(a b)} is one atom too.
+     * escapes the next character, and {@code '(a b)} is also one atom.
      *
      * @return a reader without a message
      */
@@ -162,8 +162,8 @@ public final class SexpReader {
     }
 
     /**
-     * Parses the current atom as a number by the rules of C's {@code atof}: characters after a number are ignored, text that is not
-     * a number counts as 0, and {@code nan} and {@code inf} are supported.
+     * Parses the current atom as a number following the rules of C's {@code atof}: characters after a number are
+     * ignored, text that is not a number counts as 0, and {@code nan} and {@code inf} are supported.
      *
      * @return the number, correctly rounded
      */
@@ -172,7 +172,7 @@ public final class SexpReader {
     }
 
     /**
-     * Parses the current atom as an integer, truncating decimals as SimSpark does.
+     * Parses the current atom as an integer, truncating the fractional part as SimSpark does.
      *
      * @return the number, 0 if the atom is not a number
      */

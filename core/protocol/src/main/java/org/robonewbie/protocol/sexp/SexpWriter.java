@@ -69,7 +69,7 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a number with a fixed number of decimals, like C's {@code %.2f}.
+     * Writes a number with a fixed number of decimal places, like C's {@code %.2f}.
      *
      * @param value the number; {@code nan} and {@code inf} are written as such
      * @param decimals digits after the decimal point, 0 to 22
@@ -112,7 +112,7 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a number with a maximum number of decimals and no trailing zeros, never with an exponent.
+     * Writes a number with a maximum number of decimal places and no trailing zeros, never with an exponent.
      *
      * @param value the number; {@code nan} and {@code inf} are written as such
      * @param decimals maximum number of digits after the decimal point, 0 to 22

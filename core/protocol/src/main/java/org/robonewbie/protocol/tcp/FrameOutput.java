@@ -5,8 +5,8 @@ import java.io.OutputStream;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Writes length-prefixed messages to a stream. Prefix and message are sent in one write, because some SimSpark clients fail if
- * they arrive separately.
+ * Writes length-prefixed messages to a stream. The prefix and the message are sent in one write, because some SimSpark
+ * clients fail if they arrive separately.
  */
 public final class FrameOutput {
 

@@ -38,7 +38,7 @@ public final class MonitorLink implements AutoCloseable {
      * @param host host name or address of the server
      * @param port monitor port, 3200 by default
      * @return the connection
-     * @throws IOException if no server answers at this address; the message says what to do
+     * @throws IOException if no server responds at this address; the message says what to do
      */
     public static MonitorLink connect(String host, int port) throws IOException {
         return new MonitorLink(TcpAgentLink.connect(host, port));

@@ -40,7 +40,7 @@ public final class TcpAgentLink implements AgentLink {
      * @param host host name or address of the simulator
      * @param port agent port, 3100 by default
      * @return the connection
-     * @throws IOException if no simulator answers at this address; the message says what to do
+     * @throws IOException if no simulator responds at this address; the message says what to do
      */
     public static TcpAgentLink connect(String host, int port) throws IOException {
         Socket socket = new Socket();

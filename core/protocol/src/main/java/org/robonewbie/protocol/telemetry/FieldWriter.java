@@ -22,7 +22,7 @@ final class FieldWriter {
         return this;
     }
 
-    /** Writes a number with four decimals, which is precise enough for display. */
+    /** Writes a number with four decimal places, which is precise enough for display. */
     FieldWriter number(double value) {
         line.append('\t').append(Double.isFinite(value) ? PortableMath.rint(value * DECIMALS) / DECIMALS : value);
         return this;

@@ -70,7 +70,7 @@ public final class TuningRequests {
     /**
      * Removes a forwarder.
      *
-     * @param forwarder a forwarder that was added
+     * @param forwarder a previously added forwarder
      */
     public synchronized void removeForwarder(Predicate<TuningRequest> forwarder) {
         forwarders.remove(forwarder);

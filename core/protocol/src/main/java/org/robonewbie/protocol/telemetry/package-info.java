@@ -1,6 +1,6 @@
 /**
  * Telemetry from robots, sent separately from the soccer protocol: log entries, motion progress, estimates of the surroundings,
- * drawings, and values to plot or to tune. It never affects the simulation. Read {@link
+ * drawings, and values to plot or tune. It never affects the simulation. Read {@link
  * org.robonewbie.protocol.telemetry.TelemetrySink} first.
  *
  * <p>To receive telemetry, implement {@link org.robonewbie.protocol.telemetry.TelemetrySink}. Robots in the same process get

@@ -5,8 +5,8 @@ import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * A placeholder connection for an agent that belongs to a saved state but is not connected. It answers each message but
- * never moves the robot.
+ * A placeholder connection for an agent that belongs to a saved state but is not connected. It responds to each message
+ * but never moves the robot.
  */
 final class AbsentLink implements ServerLink {
 

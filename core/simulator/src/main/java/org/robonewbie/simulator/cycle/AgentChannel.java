@@ -123,7 +123,7 @@ public final class AgentChannel implements Restorable {
     }
 
     /**
-     * Returns whether this agent is in another process and must join before the first cycle of a world in sync mode.
+     * Returns whether this agent is in another process and must join before a world in sync mode runs its first cycle.
      */
     boolean isAwaited() {
         return synchronous && strict && !link.isLocal();

@@ -197,7 +197,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    /** Returns a free position near the wanted one; interpenetrating robots would slow down the physics. */
+    /** Returns a free position near the desired one; interpenetrating robots would slow down the physics. */
     private Vector3 freePosition(Vector3 wanted) {
         Vector3 position = wanted;
         for (int i = 1; isOccupied(position); i++) {

@@ -40,9 +40,9 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * messages generated in the previous cycle, steps the physics, runs the referee and generates the next messages
  * (SimSpark: {@code simulationserver.cpp}).
  *
- * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message
- * k + 2: a delay of two cycles. Agents are served in the order in which they connected or, for agents in other
- * processes, in the {@link TurnOrder}, so that identical answers produce identical games.
+ * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect appears in
+ * message k + 2: a delay of two cycles. Agents are served in the order in which they connected or, for agents in other
+ * processes, in the {@link TurnOrder}, so that identical responses produce identical games.
  */
 public final class SimulationCycle implements Restorable {
 
@@ -178,7 +178,7 @@ public final class SimulationCycle implements Restorable {
 
     /**
      * Reads the agents' messages and removes the robots of agents that have left. Called between two cycles, so that a
-     * world that is waiting for agents shows no stale robots.
+     * world waiting for agents contains no stale robots.
      */
     public void readMessages() {
         for (int i = 0; i < agents.size(); ) {
@@ -341,8 +341,8 @@ public final class SimulationCycle implements Restorable {
 
     /**
      * Continues from a saved state. Each saved agent is matched to a connected one: by team and number, then by robot id,
-     * and finally by picking any agent without a robot. A saved agent without a match is replaced by a robot that does
-     * not move. Connected agents without a match stay connected without a robot.
+     * and finally by picking any agent without a robot. A saved agent without a match is replaced with a robot that
+     * does not move. Connected agents without a match stay connected without a robot.
      *
      * <p>The recording ends; a new one without a file begins.
      *
@@ -379,7 +379,7 @@ public final class SimulationCycle implements Restorable {
      * in transit are dropped because their time stamps are outdated.
      *
      * @param state the state of a simulation with the same settings
-     * @return the number of agents whose own state was restored too
+     * @return the number of agents whose own state was also restored
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
     public int resumeFrom(WorldState state) {

@@ -19,8 +19,8 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * A simulator that its owner steps manually, without a thread, clock, port or file. It advances by {@link #cycle}, or
- * whenever an agent waits for its next message.
+ * A simulator that its owner steps manually, without a thread, clock, port or file. It advances when {@link #cycle} is
+ * called or an agent waits for its next message.
  *
  * <pre>{@code
  * SteppedSimulator simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(1), Console.silent());
@@ -49,7 +49,7 @@ public final class SteppedSimulator implements AutoCloseable {
      *
      * @param settings the world to simulate; should be synchronous
      * @param console output for messages to the user
-     * @return the simulator, before its first cycle
+     * @return the simulator, which has not run any cycle yet
      */
     public static SteppedSimulator start(WorldSettings settings, Console console) {
         return start(settings, RecordingTarget.NONE, console);
@@ -61,7 +61,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * @param settings the world to simulate; should be synchronous
      * @param recording receives the recording
      * @param console output for messages to the user
-     * @return the simulator, before its first cycle
+     * @return the simulator, which has not run any cycle yet
      */
     public static SteppedSimulator start(WorldSettings settings, RecordingTarget recording, Console console) {
         return new SteppedSimulator(settings, new SimulationCycle(settings, recording, console, Console.silent()));
@@ -214,7 +214,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * in transit are dropped.
      *
      * @param state the state of a simulation with the same settings
-     * @return the number of agents whose own state was restored too
+     * @return the number of agents whose own state was also restored
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
     public int resumeFrom(WorldState state) {

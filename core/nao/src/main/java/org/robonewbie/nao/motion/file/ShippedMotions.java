@@ -14,7 +14,7 @@ import org.robonewbie.nao.motion.MotionSource;
 
 /**
  * The motions shipped with the framework, stored as class path resources {@code /motions/NAME.txt}. The resource {@code
- * /motions/index} lists their names, one on each line, because not every class path can list its resources.
+ * /motions/index} lists their names, one per line, because not every class path can list its resources.
  */
 public final class ShippedMotions implements MotionSource {
 
