@@ -17,9 +17,10 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 public interface Challenge extends Measure, TrialHook {
 
     /**
-     * Creates the scene. The program under test moves the robots of the team {@link RobotStart#TEAM}; all others hold still.
+     * Creates the scene. The program under test controls the robots of the team {@link RobotStart#TEAM}; all other robots
+     * hold still.
      *
-     * @param random source of everything in the scene that depends on the seed
+     * @param random source of all random numbers for the scene
      * @return the scene
      */
     Scene scene(RandomSource random);
@@ -45,7 +46,7 @@ public interface Challenge extends Measure, TrialHook {
      * @param seconds maximum simulated duration of the trial
      * @param seed seed of the trial
      * @param team name of the team under test
-     * @param contender creates the controller of each robot under test when the robot enters the pitch
+     * @param contender creates the controller of each robot under test when that robot enters the pitch
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
      * @return simulated duration in seconds

@@ -30,7 +30,7 @@ public final class ChallengeTrial implements AutoCloseable {
      * @param maxSeconds maximum simulated duration of the trial
      * @param seed seed of the trial
      * @param team name of the team under test
-     * @param contender creates the controller of each robot under test when the robot enters the pitch
+     * @param contender creates the controller of each robot under test when that robot enters the pitch
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
      */
@@ -59,7 +59,7 @@ public final class ChallengeTrial implements AutoCloseable {
         }
     }
 
-    /** {@return whether the time is up or the challenge is decided} */
+    /** {@return whether the time is up or the challenge has been decided} */
     public boolean isOver() {
         return trial.seconds() >= maxSeconds || challenge.isDecided();
     }

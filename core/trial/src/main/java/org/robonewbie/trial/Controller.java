@@ -42,8 +42,8 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that plays the motion in a file once, with the interpolation that the file specifies, and then holds
-     * all joints still.
+     * Returns a controller that plays the motion in a file once, with the interpolation specified there, and then holds all
+     * joints still.
      *
      * @param file the file; see {@link MotionPlayer#of}
      * @return the controller
@@ -66,8 +66,8 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that computes joint speeds from joint angles, gyroscope and accelerometer. A policy that
-     * needs more inputs implements this interface directly.
+     * Returns a controller that computes joint speeds from joint angles, gyroscope and accelerometer. For a policy that
+     * needs more inputs, implement this interface directly.
      *
      * @param policy computes the speed of each joint in degrees per second, in the order of {@link org.robonewbie.nao.Joint}
      * @return the controller
@@ -95,11 +95,11 @@ public interface Controller extends AutoCloseable {
     default void embody(RobotType type) {}
 
     /**
-     * Sets the identity of the robot. Called before any readings.
+     * Sets the robot's identity. Called before the first readings are passed.
      *
-     * @param team name of its team
+     * @param team name of the robot's team
      * @param number uniform number
-     * @param side the side of its team
+     * @param side the side of the robot's team
      */
     default void introduce(String team, int number, TeamSide side) {}
 

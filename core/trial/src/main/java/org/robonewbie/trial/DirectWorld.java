@@ -80,7 +80,7 @@ final class DirectWorld implements World {
         return simulator.match().state().playMode().simSparkName();
     }
 
-    /** Returns the camera image of this cycle; as in a game, there is one only in every third cycle. */
+    /** Returns the camera image of this cycle; as in a game, there is an image only every third cycle. */
     Optional<Vision> picture(Robot robot) {
         if (cycles % CameraSettings.CYCLES_PER_PICTURE != 0) {
             return Optional.empty();

@@ -7,7 +7,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** Converts joint speeds to commands. Like an agent, it sends no command for a motor that remains at rest. */
+/** Converts joint speeds to commands. As with an agent, no command is sent for a motor that remains at rest. */
 final class JointSpeeds {
 
     private static final Joint[] JOINTS = Joint.values();

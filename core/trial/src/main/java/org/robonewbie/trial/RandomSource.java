@@ -42,7 +42,7 @@ public final class RandomSource {
         return random.nextBoolean() ? 1 : -1;
     }
 
-    /** {@return whether the seed is odd, for properties that alternate between trials with consecutive seeds} */
+    /** {@return whether the seed is odd, for properties that alternate from one seed to the next} */
     public boolean isSeedOdd() {
         return seed % 2 != 0;
     }

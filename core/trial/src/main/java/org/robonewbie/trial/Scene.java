@@ -14,7 +14,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * }</pre>
  *
  * @param parameters the pitch and the referee's rules
- * @param noise whether camera readings have the noise that the league specifies
+ * @param noise whether camera readings have the league's noise
  * @param landscape objects on the pitch in addition to the goals and the ball
  * @param robots the robots in the order in which they enter the pitch
  * @param ball initial position of the ball, whose height is ignored; empty for the centre spot

@@ -37,7 +37,7 @@ import org.robonewbie.simulator.world.Robot;
  *
  * <p>In a <em>served</em> trial, robots exchange messages with a complete simulator including the referee. In a <em>direct</em>
  * trial, they join in the same way, but then only the physics runs. This is faster, but there is no referee, and robots do not
- * hear messages. Without noise, a robot behaves identically in both. Not thread-safe.
+ * hear messages. Without noise, a robot behaves identically in both kinds of trial. Not thread-safe.
  */
 public final class Trial implements AutoCloseable {
 
@@ -150,7 +150,7 @@ public final class Trial implements AutoCloseable {
 
     /**
      * Creates a robot as soon as its controller is ready, and moves it to its start pose, where it settles with all joints at 0.
-     * The listener is not called before the robot has been moved there.
+     * The listener is not called until the robot has been moved.
      */
     private void enter(RobotStart start, Controller controller) {
         introduce(start, controller);
@@ -217,8 +217,8 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Allows robots to beam, subject to the referee's rules. By default beams are ignored, because the scene defines the start
-     * poses.
+     * Allows robots to beam, subject to the referee's rules. By default, beams are ignored, because the scene defines the
+     * start poses.
      */
     public void allowBeams() {
         bodies.forEach(TrialBody::allowBeams);
@@ -278,8 +278,8 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Executes a command that a human referee could give, such as a kick-off, before the next cycle. Requires a served
-     * trial, because only served trials have a referee.
+     * Executes a human referee's command, such as a kick-off, before the next cycle. Requires a served trial, because
+     * only served trials have a referee.
      *
      * @param order the command
      */
@@ -288,7 +288,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Runs until the time is up or a measure is decided. The first state that the measures observe is the current one.
+     * Runs until the time is up or a measure is decided. The measures observe the current state first.
      *
      * @param seconds end of the run, in simulated seconds since the start of the trial
      * @param measures the measures

@@ -73,7 +73,7 @@ final class TrialBody {
         mayBeam = true;
     }
 
-    /** Gets the controller's commands for the current readings. Removes beams unless the trial allows them. */
+    /** Gets the controller's commands for the current readings. Removes beam commands unless the trial allows them. */
     void perform() {
         commands = controller.respond(readings).stream()
                 .filter(command -> !(command instanceof EffectorCommand.Synchronise))

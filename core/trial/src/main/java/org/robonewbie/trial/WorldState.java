@@ -13,7 +13,7 @@ import org.robonewbie.simulator.landscape.Thing;
  * centre spot, x towards the right goal, y to the left and z up.
  *
  * @param seconds simulated time since the start of the trial
- * @param robots the robots in the order in which the scene lists them
+ * @param robots the robots in the order of the scene
  * @param ball centre of the ball in metres
  * @param ballVelocity velocity of the ball in metres per second
  * @param things other objects on the pitch, at their current poses
@@ -48,7 +48,7 @@ public record WorldState(
     }
 
     /**
-     * Returns the pose of a robot on the ground.
+     * Returns a robot's pose on the ground.
      *
      * @param index the robot's index in the scene
      * @return position and heading of its torso
@@ -59,10 +59,10 @@ public record WorldState(
     }
 
     /**
-     * Returns the goals of a team.
+     * Returns the number of goals that a team has scored.
      *
      * @param side the side of the team
-     * @return the team's goals
+     * @return the number of goals
      */
     public int goals(TeamSide side) {
         return side == TeamSide.LEFT ? leftGoals : rightGoals;

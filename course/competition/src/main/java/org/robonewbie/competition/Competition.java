@@ -101,7 +101,7 @@ public final class Competition {
         }
     }
 
-    /** Returns notes on how the programs were isolated, to be printed with the table. */
+    /** Returns notes on the isolation of the programs, to be printed with the table. */
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
             return List.of(
@@ -206,7 +206,7 @@ public final class Competition {
         }
     }
 
-    /** Returns a checksum of everything that a result depends on: the trial, the programs and the limits. */
+    /** Returns a checksum of everything on which a result depends: the trial, the programs and the limits. */
     private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
         Fingerprint all = new Fingerprint()
                 .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff()

@@ -11,7 +11,7 @@ import org.robonewbie.nao.Joint;
  * (sends all commands). {@code think} computes motor commands from sensor readings.
  *
  * <p>The arm stops slightly above 30 degrees. Why? A command takes effect two messages later, so when the sensor first reads
- * 30, two more steps are already on their way. Try other speeds: by how much does the arm overshoot? {@code
+ * 30, two more commands are already on their way. Try other speeds: by how much does the arm overshoot? {@code
  * nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 30)} compensates for this.
  */
 public final class Agent_BasicStructure extends Agent {

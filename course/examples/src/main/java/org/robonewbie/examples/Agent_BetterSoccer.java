@@ -14,8 +14,8 @@ import org.robonewbie.nao.geometry.Pose2d;
  * A soccer player that scores about twenty times as fast as {@link Agent_SimpleSoccer}.
  *
  * <p>Improvements: it walks in any direction without stopping, makes a decision in each cycle instead of after each motion,
- * localises itself and so knows the direction of the goal without seeing it, corrects the ball's position for its own movement,
- * and keeps the ball in view. Once it is behind the ball, it just keeps walking: its feet push the ball along.
+ * localises itself and can therefore aim at the goal without seeing it, corrects the ball's position for its own movement, and
+ * keeps the ball in view. Once it is behind the ball, it just keeps walking: its feet push the ball along.
  *
  * <p>Ideas: kick when the path is clear; consider the opponents; pass.
  */

@@ -4,8 +4,8 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 
 /**
- * A partner for {@link Agent_TestPerceptorInput} and {@link Agent_TestLocalFieldView}: it stands on the field and says a
- * greeting from time to time.
+ * A partner for {@link Agent_TestPerceptorInput} and {@link Agent_TestLocalFieldView}: it stands on the field and says
+ * hello from time to time.
  */
 public final class Agent_Dummy extends Agent {
 

@@ -16,7 +16,7 @@ import org.robonewbie.nao.Vector3;
  * <p>A world model can be any class. One line in {@link #sense} updates it after the framework has read all sensors. Kick the
  * ball in the studio and watch how long the two circles agree.
  *
- * <p>Ideas: model the friction of the ball; discard it when the camera looks at its predicted position and does not see it; ask
+ * <p>Ideas: model the friction of the ball; discard the ball's position when it should be in view but is not detected; ask
  * teammates.
  */
 public final class Agent_OwnWorldModel extends Agent {
@@ -68,7 +68,7 @@ public final class Agent_OwnWorldModel extends Agent {
         private Vector3 velocity = Vector3.ZERO;
         private double seenSeconds = Double.NEGATIVE_INFINITY;
 
-        /** Processes one cycle: the robot's movement, and the ball if it is visible. */
+        /** Updates the model for one cycle with the robot's movement and, if the ball is visible, its position. */
         void update(Robot nao, LocalFieldView seen) {
             odometry.update(nao);
             FieldItem ball = seen.ball();

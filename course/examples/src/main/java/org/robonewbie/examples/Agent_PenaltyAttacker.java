@@ -13,8 +13,8 @@ import org.robonewbie.nao.motion.file.MotionFiles;
  *
  * <p>A kick requires precision. The robot stops with the ball right in front of a foot, stands still, checks the ball's
  * position again, and only then plays the motion. The comment {@code // ball:} in the motion file specifies the required
- * position. The robot sees the ball in the frame of its head; the accelerometer measures the tilt that is needed to convert the
- * position to the frame of its torso.
+ * position. The robot sees the ball in the frame of its head; the accelerometer measures the tilt, which is needed to convert
+ * the position to the frame of its torso.
  *
  * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: aim at the corner that the goalkeeper leaves open.
  */
@@ -94,7 +94,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
     }
 
-    /** Returns the required position of the ball for a kick with the left foot. */
+    /** Returns the ball position required for a kick with the left foot. */
     private static Translation2d ballBeforeKick() {
         try {
             return MotionFiles.library()

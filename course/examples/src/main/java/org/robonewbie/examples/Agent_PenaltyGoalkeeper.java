@@ -13,8 +13,8 @@ import org.robonewbie.nao.geometry.Pose2d;
  * A goalkeeper that plays against {@link Agent_PenaltyAttacker}: it watches the ball, predicts where it will cross the goal
  * line, and dives if the ball is fast. Afterwards it gets up and walks back to its position.
  *
- * <p>No sensor measures the velocity of the ball: it is computed from two camera images. Ideas: come out of the goal to narrow
- * the angle; do not dive if a side step is enough.
+ * <p>No sensor measures the ball's velocity: it is computed from two camera images. Ideas: come out of the goal to narrow the
+ * angle; do not dive if a side step is enough.
  */
 public final class Agent_PenaltyGoalkeeper extends Agent {
 
@@ -91,8 +91,8 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     }
 
     /**
-     * Returns whether the ball is fast enough to reach the goal. The friction of the grass stops it after 0.67 m for each m/s
-     * of its speed.
+     * Returns whether the ball is fast enough to reach the goal. Friction stops the ball after 0.67 m for each m/s of its
+     * speed.
      */
     private boolean isShot(Vector3 ball) {
         double approach = -ballVelocity.x();

@@ -7,7 +7,7 @@ import org.robonewbie.nao.Joint;
 
 /**
  * A reactive agent: sensor readings are mapped directly to motor commands. The head follows the ball, and the robot raises the
- * arm on the side on which it sees another robot.
+ * arm on the side where it sees another robot.
  *
  * <p>There is no {@code think} here; {@code act} sets the motors before it sends the commands.
  */

@@ -9,14 +9,14 @@ import org.robonewbie.nao.PlayMode;
 
 /**
  * A soccer player with a simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It plays
- * poorly on purpose, so that there is much to improve.
+ * poorly on purpose, to leave much to improve.
  *
- * <p>The head scans continuously. The field view remembers what it has seen, and an object counts as known for the duration of
- * one scan. The robot decides only when the last motion is over and its head points at the ground in front of its feet, because
- * the field view is accurate there.
+ * <p>The head scans continuously. The field view remembers what the camera has seen, and an object counts as known for the
+ * duration of one scan. The robot makes a decision only when the last motion is over and its head points at the ground in
+ * front of its feet, because the field view is accurate there.
  *
- * <p>Ideas: the player wants the ball nearly straight ahead, but always turns by the same angle: turn by the required
- * angle; stop less often; kick; walk around the ball instead of side-stepping.
+ * <p>Ideas: the player needs the ball nearly straight ahead, but always turns by the same angle: turn by the required angle;
+ * stop less often; kick; walk around the ball instead of side-stepping.
  */
 public class Agent_SimpleSoccer extends Agent {
 

@@ -8,7 +8,7 @@ import org.robonewbie.agent.perception.FieldItem;
  * Walks to the ball and stops there. It makes a decision whenever the last motion is over: it turns until the ball is ahead,
  * then walks until it is near.
  *
- * <p>The head scans far enough down to see the ball even right in front of the feet.
+ * <p>The head scans low enough to see even a ball right in front of the feet.
  */
 public class Agent_SimpleWalkToBall extends Agent {
 

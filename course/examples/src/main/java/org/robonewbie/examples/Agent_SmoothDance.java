@@ -7,10 +7,10 @@ import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.KeyframeInterval;
 
 /**
- * Plays the dance with smooth curves instead of straight lines between keyframes, using a custom interpolation of a dozen
+ * Plays the dance with smooth curves instead of straight lines between keyframes, using a custom interpolation in a dozen
  * lines of code. Watch how the arms pass through a keyframe instead of changing speed abruptly.
  *
- * <p>With the argument {@code linear} it uses the default interpolation, for comparison.
+ * <p>With the argument {@code linear}, it uses the default interpolation, for comparison.
  */
 public final class Agent_SmoothDance extends Agent {
 

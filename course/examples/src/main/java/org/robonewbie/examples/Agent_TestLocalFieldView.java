@@ -17,12 +17,13 @@ import org.robonewbie.nao.Vector3;
  * Logs the contents of the field view while the head scans, twice per second for five seconds, and compares them with the true
  * positions.
  *
- * <p>Watch how objects stay known when the head turns away, and how their age increases. Start {@link Agent_Dummy} in the same
- * simulator to see another robot.
+ * <p>Watch how objects remain known when the head turns away, and how their age increases. Start {@link Agent_Dummy} in the
+ * same simulator to see another robot.
  *
- * <p>A real robot cannot know the true positions; the simulator sends them for this experiment (option {@code --truth}).
- * The field view adds the angles of the neck and the camera, which is a simple approximation. How large is the error, and
- * at which head angles is it largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
+ * <p>The true positions are not available to a real robot; the simulator sends them for this experiment (option {@code
+ * --truth}). The field view adds the angles of the neck and the camera, which is a simple approximation. How large is the
+ * error, and at which head angles is it largest? With the argument {@code exact}, the robot uses the forward kinematics of its
+ * neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 
@@ -85,7 +86,7 @@ public final class Agent_TestLocalFieldView extends Agent {
         }
     }
 
-    /** Converts a point on the field to the frame of a head that looks straight ahead. */
+    /** Converts a point on the field to the frame of a head that is facing straight ahead. */
     private static Vector3 seenFromHead(Vector3 point, Vector3 head, double headingDegrees) {
         Vector3 way = point.minus(head);
         double heading = Math.toRadians(headingDegrees);

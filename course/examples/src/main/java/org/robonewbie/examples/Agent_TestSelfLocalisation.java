@@ -10,9 +10,9 @@ import org.robonewbie.nao.geometry.Pose2d;
 /**
  * Localises itself on the field while it walks, and compares its estimated pose with the true one.
  *
- * <p>A beginner does not need this. The pose and the field size are determined from goal posts and flags, and the movement
- * between sightings from the gyroscope and the legs; see {@link SelfLocalisation}. The studio draws the estimated pose next
- * to the robot.
+ * <p>Beginners do not need this. The pose and the field size are determined from goal posts and flags; between
+ * sightings, movement is measured with the gyroscope and the legs; see {@link SelfLocalisation}. The studio draws the
+ * estimated pose next to the robot.
  */
 public final class Agent_TestSelfLocalisation extends Agent {
 

@@ -15,7 +15,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Task: pass to the teammate with a free passing lane, twice. An opponent first blocks the nearer teammate, then the farther
- * one; between the passes all robots are moved back to their start poses. After the ball has hit the opponent, its path no
+ * one; between the passes, all robots are moved back to their start poses. Once the ball has hit the opponent, its path no
  * longer counts, because a deflection to the free teammate would be luck.
  */
 final class BetterPassTask implements Task {

@@ -18,7 +18,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: dance on the spot to the beat of a swinging ball, moving at least three limbs and without falling.
+ * Task: dance on the spot to the beat of a swinging ball, moving at least three limbs without falling.
  *
  * <p>A joint counts as moving to the beat if at least half of the variance of its angle lies at the frequency of the ball, or
  * at half or twice that frequency. The variance is computed from the Fourier coefficients of these three frequencies over a

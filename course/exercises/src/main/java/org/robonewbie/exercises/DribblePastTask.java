@@ -10,7 +10,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Task: dribble past the left side of an opponent without touching the opponent or kicking the ball. The direct path leads
- * past its right side.
+ * past the opponent's right side.
  */
 final class DribblePastTask implements Task {
 

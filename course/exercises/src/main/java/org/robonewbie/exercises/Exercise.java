@@ -19,7 +19,7 @@ import java.util.function.Supplier;
  * @param name name, such as {@code arm-by-side}
  * @param className name of the class in the starter code, such as {@code ArmBySide}
  * @param title heading of the worksheet
- * @param minutes approximate working time of a student in minutes
+ * @param minutes approximate time that a student needs, in minutes
  * @param goal what the robot has to do, as a sentence
  * @param seconds length of a trial in simulated seconds
  * @param task supplies a new task for each trial
@@ -49,12 +49,12 @@ public record Exercise(
         return minutes <= ADVANCED ? "advanced" : "challenge";
     }
 
-    /** {@return the number and name, as used in the file names of worksheets, such as {@code 03-arm-by-side}} */
+    /** {@return the number and name, as used in worksheet file names, such as {@code 03-arm-by-side}} */
     public String fullName() {
         return String.format("%02d-%s", number, name);
     }
 
-    /** {@return the name of the Java file for a program, such as {@code ArmBySide.java}} */
+    /** {@return the name of the Java file for a solution, such as {@code ArmBySide.java}} */
     public String fileName() {
         return className + ".java";
     }

@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /**
  * Three levels that take a newcomer about a minute each, before the first exercise. A level is an exercise without a
- * worksheet or number; its solution may be shown.
+ * worksheet or number; students may see its solution at any time.
  */
 public final class FirstMinute {
 
@@ -56,8 +56,8 @@ public final class FirstMinute {
     }
 
     /**
-     * Returns the program that solves a level. It differs from the {@linkplain Exercise#startCode() starter code} only in lines that the
-     * newcomer changes, and has the same number of lines.
+     * Returns the program that solves a level. It differs from the {@linkplain Exercise#startCode() starter code} only in the lines that
+     * the newcomer changes, and has the same number of lines.
      *
      * @param level the level
      * @return source of a Java file

@@ -9,9 +9,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
 
-/**
- * Determines by how much the swinging foot misses the ball, from the foot's position at the foremost point of the swing.
- */
+/** Determines how far the swinging foot is from the ball at the foremost point of the swing. */
 final class FootBesideBall {
 
     private final Pose2d start;

@@ -14,7 +14,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Task: position three players around a ball without touching it: one at the ball, one between the ball and the team's own
- * goal, and one open for a pass. Halfway through the trial the ball is moved.
+ * goal, and one open for a pass. The ball is moved halfway through the trial.
  */
 final class FormationTask implements Task {
 

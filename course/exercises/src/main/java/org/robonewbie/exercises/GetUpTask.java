@@ -12,8 +12,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
- * Task: report whether the robot lies on its back or its front, get up, and report that it stands. For odd seeds, it
- * lies on its back; for even seeds, on its front.
+ * Task: report whether the robot is lying on its back or its front, get up, and report that it is standing. For odd
+ * seeds, it lies on its back; for even seeds, on its front.
  */
 final class GetUpTask implements Task {
 

@@ -12,7 +12,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: save two shots that a standing robot would not stop, one on each side. Between the shots the robot is moved
+ * Task: save two shots, one on each side, that a stationary robot would not stop. Between the shots, the robot is moved
  * back to the middle of its goal.
  */
 final class GoalkeeperTask implements Task {

@@ -23,7 +23,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Grades solutions in this process, using the ground truth of the simulated world. Intended for tests. A program that
- * throws an exception or never returns fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} grades in
+ * throws an exception or never returns fails its trial; see {@link ProgressWatchdog}. {@code robonewbie grade} grades in
  * the same way, but runs the program in a child process.
  */
 public final class Grader {

@@ -48,8 +48,8 @@ final class HillTask implements Task {
     }
 
     /**
-     * Returns whether the robot stands still at the top: it stays near an anchor point, which is moved to the robot
-     * whenever the robot leaves it.
+     * Returns whether the robot is standing still at the top: it must stay near an anchor point, which is moved to the
+     * robot whenever the robot has left it.
      */
     private boolean isStandingOnTop(WorldState state) {
         Pose2d place = state.place();

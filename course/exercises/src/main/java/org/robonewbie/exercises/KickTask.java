@@ -16,7 +16,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Task: kick a ball with a new motion. For odd seeds, the ball lies in front of the left foot; for even seeds, in front
- * of the right one. Walking into the ball and the built-in kicks do not count.
+ * of the right one. Neither walking into the ball nor using a built-in kick counts.
  */
 final class KickTask implements Task {
 

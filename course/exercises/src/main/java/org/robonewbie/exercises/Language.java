@@ -7,8 +7,8 @@ import java.util.Optional;
 /**
  * Language of worksheets, goals, hints and findings. Names and messages of programs are always English.
  *
- * <p>Tasks produce English text. {@code hints-de.txt} translates goals and hints, {@code findings-de.txt} findings, with
- * placeholders for the measured values.
+ * <p>Tasks produce English text. German translations of goals and hints are in {@code hints-de.txt}, those of findings,
+ * with placeholders for the measured values, in {@code findings-de.txt}.
  *
  * <pre>{@code
  * Language.GERMAN.translated(score.hint());

@@ -16,7 +16,7 @@ import org.robonewbie.trial.TrialListener;
 /** Runs one trial of an exercise and scores it. Used by the command line, tests, the studio and competitions. */
 public final class Performance {
 
-    /** Beginning of the finding for a step that does not return. */
+    /** Start of the finding for a step that does not return. */
     public static final String ENDLESS = "think() has not returned";
 
     private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
@@ -33,9 +33,9 @@ public final class Performance {
      * @param exercise the exercise
      * @param seed seed of the random numbers
      * @param student creates a controller that runs the student's program; called once for each robot
-     * @param recording file for a recording for the studio; empty for none
+     * @param recording file for a recording that can be opened in the studio; empty for none
      * @param listener observes the trial
-     * @return the score; 0 points if the program throws an exception or its robots leave
+     * @return the score; 0 points if the program throws an exception or its robots leave the trial
      */
     public static Score of(
             Exercise exercise,
@@ -87,7 +87,7 @@ public final class Performance {
     }
 
     /**
-     * Adjusts the score of a trial whose robots have left early or whose program failed in a step.
+     * Adjusts the score of a trial if robots left early or the program failed in a step.
      *
      * @param score the score before the adjustment
      * @param why the reason for the departure or failure

@@ -21,7 +21,7 @@ final class RaiseArmsTask implements Task {
     private final Arm left = new Arm(Joint.LEFT_SHOULDER_PITCH, LEFT_DEGREES);
     private final Arm right = new Arm(Joint.RIGHT_SHOULDER_PITCH, RIGHT_DEGREES);
 
-    /** The signed error of largest magnitude and the range of motion of one shoulder in the last half second. */
+    /** The largest error, with its sign, and the range of motion of one shoulder in the last half second. */
     private static final class Arm {
         private final Joint joint;
         private final double goal;

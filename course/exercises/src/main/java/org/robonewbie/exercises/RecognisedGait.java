@@ -36,7 +36,7 @@ final class RecognisedGait {
         return !seen.isEmpty() && distance(seen, Known.FAST) < distance(seen, Known.STANDARD);
     }
 
-    /** States of a robot that walks straight ahead with each of the built-in walks. */
+    /** States of a robot walking straight ahead with each of the built-in walks. */
     private static final class Known {
         static final List<BodyState> STANDARD = walked(WalkStyle.STANDARD);
         static final List<BodyState> FAST = walked(WalkStyle.FAST);

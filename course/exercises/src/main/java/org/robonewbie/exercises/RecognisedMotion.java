@@ -11,8 +11,8 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Detects a built-in motion from the leg joints, which must reach most of the motion's keyframes in the right order, at any
- * speed.
+ * Detects a built-in motion from the leg joints, which must pass through most of the motion's keyframes in the right order,
+ * at any speed.
  */
 final class RecognisedMotion {
 

@@ -15,7 +15,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     /** Maximum points of a trial. */
     public static final int MAX_POINTS = 10;
 
-    /** Creates a score. A negative zero in the finding is written without its sign. */
+    /** Creates a score. A negative zero in the finding loses its sign. */
     public Score {
         finding = NegativeZeroFormat.removed(finding);
     }

@@ -12,7 +12,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Task: score a goal past a wall of three standing robots. Pushing one of them away ends the trial. */
+/** Task: score a goal past a wall of three standing robots. The trial ends if one of them is pushed away. */
 final class ScoreAGoalTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.5, 0.4, -40);

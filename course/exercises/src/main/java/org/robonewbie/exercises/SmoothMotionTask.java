@@ -63,7 +63,7 @@ final class SmoothMotionTask implements Task {
 
     /**
      * Returns the smallest deviation in degrees from a keyframe's angle around its time, allowing for the two cycles
-     * until a command takes effect.
+     * that it takes for a command to take effect.
      */
     private double nearest(double seconds, double degrees) {
         int expected = (int) Math.round(seconds / Cycle.SECONDS) + 2;

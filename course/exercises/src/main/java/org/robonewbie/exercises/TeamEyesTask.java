@@ -11,8 +11,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: robot 2 tells robot 1, which may not look around, on which side behind it the ball lies; robot 1 raises the arm on
- * that side.
+ * Task: the ball is behind robot 1, which may not look around. Robot 2 reports the side of the ball, and robot 1 raises
+ * the arm on that side.
  */
 final class TeamEyesTask implements Task {
 
@@ -53,8 +53,8 @@ final class TeamEyesTask implements Task {
     }
 
     /**
-     * Returns the side of the ball in a phase. The order of the sides is A, B, B, A, so that blindly alternating the
-     * arms fails.
+     * Returns the side of the ball in a phase. The order of the sides is A, B, B, A, so alternating the arms blindly
+     * fails.
      */
     private int side(int number) {
         return number == 0 || number == PHASES - 1 ? firstSide : -firstSide;

@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Dictionary of phrases. A phrase may contain placeholders {@code %s}, whose values are translated too. A text without
- * an entry is split at commas, semicolons and colons, and its parts are translated.
+ * Dictionary of phrases. A phrase may contain placeholders {@code %s}, whose values are translated too. Text without an
+ * entry is split at commas, semicolons and colons, and its parts are translated.
  */
 final class Translations {
 
@@ -85,7 +85,7 @@ final class Translations {
     }
 
     /**
-     * Translates a text.
+     * Translates text.
      *
      * @param text the text
      * @return its translation; parts without an entry are unchanged

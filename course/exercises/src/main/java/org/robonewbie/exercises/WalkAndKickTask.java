@@ -8,7 +8,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Task: walk to the ball and kick it; a ball that is pushed by walking stays slower. */
+/** Task: walk to the ball and kick it. Walking into the ball does not make it fast enough. */
 final class WalkAndKickTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-1.5, 0, 0);

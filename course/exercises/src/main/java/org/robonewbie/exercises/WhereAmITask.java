@@ -14,7 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Task: report the position of the robot on the pitch; halfway through the trial the robot is moved. */
+/** Task: report the position of the robot on the pitch; the robot is moved halfway through the trial. */
 final class WhereAmITask implements Task {
 
     private static final Pattern WORDS = Pattern.compile("at:(-?\\d+(?:\\.\\d+)?):(-?\\d+(?:\\.\\d+)?)");

@@ -21,10 +21,10 @@ final class ApiComments {
     /** Resource folder that contains the packaged sources. */
     static final String FOLDER = "/META-INF/sources/";
 
-    /** Matches the first comment of a file up to the end of its first sentence. */
+    /** Matches a file's first comment up to the end of the first sentence. */
     private static final Pattern COMMENT = Pattern.compile("(?s)/\\*\\*(.*?\\.)\\s");
 
-    /** Comments that have been read, by class and member, such as {@code setJointSpeed/2}. */
+    /** Cached comments by class and member, such as {@code setJointSpeed/2}. */
     private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
 
     private ApiComments() {}

@@ -6,7 +6,7 @@ public final class CalledWronglyException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message says what is wrong and what to write instead
+     * @param message what is wrong, and what to write instead
      */
     public CalledWronglyException(String message) {
         super(message);

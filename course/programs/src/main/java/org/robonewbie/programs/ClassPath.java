@@ -21,7 +21,7 @@ import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * Class path of a Java process. The option {@code -cp} cannot express a path that contains the path separator or a
- * character that needs more than 16 bits, such as an emoji. If there is such a path, the option names an empty
+ * character that needs more than 16 bits, such as an emoji. If there is such a path, the option refers to an empty
  * temporary jar instead, whose manifest lists all entries as URLs.
  *
  * @param places absolute paths of folders and jars
@@ -37,7 +37,7 @@ public record ClassPath(List<Path> places) {
                 places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
     }
 
-    /** {@return the class path of this program, or only its own jar if it was started through a temporary jar} */
+    /** {@return this program's class path, or only its own jar if it was started through a temporary jar} */
     public static ClassPath ofThisProgram() {
         Path own = ownPlace();
         return new ClassPath(
@@ -48,7 +48,7 @@ public record ClassPath(List<Path> places) {
                         : List.of(own));
     }
 
-    /** {@return the jar of this program; empty if its classes are in folders, as in an IDE} */
+    /** {@return this program's jar; empty if its classes are in folders, as in an IDE} */
     public static Optional<Path> ownJar() {
         return Optional.of(ownPlace()).filter(Files::isRegularFile);
     }
@@ -113,7 +113,7 @@ public record ClassPath(List<Path> places) {
                 .toList();
     }
 
-    /** {@return the files and folders that the argument of {@code -cp} names} */
+    /** {@return the files and folders in the argument of {@code -cp}} */
     List<Path> files() {
         return places.stream().allMatch(ClassPath::canBeOption)
                 ? places

@@ -18,11 +18,12 @@ final class CompactSource {
     private CompactSource() {}
 
     /**
-     * Explains why this version of Java cannot run a file.
+     * Returns the reason why this version of Java cannot run a file.
      *
      * @param text the source file
      * @param className the simple name of the expected class
-     * @return the reason and a remedy; empty if the file has a class or this version of Java supports compact source files
+     * @return the reason and what to do about it; empty if the file has a class or this version of Java supports compact
+     *     source files
      */
     static Optional<String> trouble(String text, String className) {
         return trouble(text, className, Runtime.version().feature());
@@ -36,15 +37,15 @@ final class CompactSource {
                 : Optional.empty();
     }
 
-    /** Returns a sentence that says which version of Java a feature needs, without the full stop. */
+    /** Returns a sentence, without the full stop, about the version of Java that a feature needs. */
     static String needsNewerJava(String what, int javaVersion) {
         return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, but this is Java " + javaVersion
                 + ". Install JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
     }
 
     /**
-     * Returns whether a text is a compact source file. A text with a class before the main method is not one: a surplus
-     * brace may merely make the method appear to be outside the class.
+     * Returns whether source code is a compact source file. Code with a class before the main method does not count,
+     * because a surplus brace may merely make the method appear to be outside the class.
      */
     private static boolean is(String text, String className) {
         String code = OPAQUE.matcher(text).replaceAll(" ");

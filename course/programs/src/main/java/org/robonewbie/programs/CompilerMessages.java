@@ -19,7 +19,7 @@ import javax.tools.JavaFileObject;
 import org.robonewbie.programs.hint.FrameworkNames;
 import org.robonewbie.programs.hint.Hints;
 
-/** Collects the diagnostics of a compilation and adds suggestions for missing imports and misspelt framework names. */
+/** Collects the diagnostics of a compilation and adds suggestions for missing imports and misspelt names from the framework. */
 final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
 
     private static final Hints HINTS = new Hints(frameworkNames());
@@ -83,7 +83,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         return HINTS.withoutFollowUps(mistakes, CompilerMessages::asRemark);
     }
 
-    /** Prints the diagnostics in the format of the compiler, each followed by advice. */
+    /** Prints the diagnostics in the compiler's format, each followed by advice. */
     void print(PrintStream out) {
         List<Diagnostic<? extends JavaFileObject>> mistakes = mistakes();
         for (Diagnostic<? extends JavaFileObject> each : mistakes) {
@@ -115,7 +115,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         return new Hints.Remark(String.valueOf(mistake.getCode()), text(mistake), mistake.getMessage(Locale.ROOT));
     }
 
-    /** Returns the source text that a diagnostic underlines. */
+    /** Returns the source text underlined by a diagnostic. */
     private static String text(Diagnostic<? extends JavaFileObject> mistake) {
         JavaFileObject source = mistake.getSource();
         if (source == null || mistake.getStartPosition() == Diagnostic.NOPOS) {

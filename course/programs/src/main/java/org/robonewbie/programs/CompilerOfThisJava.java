@@ -4,7 +4,7 @@ import java.util.Optional;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
-/** Provides the compiler of the Java installation that runs RoboNewbie. A JDK contains one; a JRE does not. */
+/** Provides the compiler of the Java installation that runs RoboNewbie. Only a JDK contains a compiler; a JRE does not. */
 public final class CompilerOfThisJava {
 
     private CompilerOfThisJava() {}
@@ -21,7 +21,7 @@ public final class CompilerOfThisJava {
     /**
      * Requires a compiler. Call before any use of {@code javax.tools}.
      *
-     * @throws CalledWronglyException if this installation contains none
+     * @throws CalledWronglyException if this installation does not contain a compiler
      */
     static void require() {
         if (!isThere()) {

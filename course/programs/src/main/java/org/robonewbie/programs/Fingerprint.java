@@ -12,14 +12,14 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import org.robonewbie.nao.file.SubmittedFolder;
 
-/** Checksum of everything that a result depends on, such as the files of a program. */
+/** Checksum of everything on which a result depends, such as a program's files. */
 public final class Fingerprint {
 
     private static final int DIGITS = 16;
 
     private final MessageDigest digest;
 
-    /** Creates a checksum that covers no data yet. */
+    /** Creates a checksum without any data. */
     public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");

@@ -15,15 +15,15 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
 
 /**
- * Compilation of Java files in memory, against this program and a class path. None of their code runs.
+ * Compilation of Java files in memory, against this program and a class path. None of their code is run.
  *
- * @param name name by which messages refer to the files
- * @param sourcePath folders in which the compiler looks for further sources
+ * @param name name for the files in messages
+ * @param sourcePath folders that the compiler searches for further sources
  * @param classPath folders and jars
  */
 record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath) {
 
-    /** File manager of the last compilation, kept for reuse because it has indexed the jars on the class path. */
+    /** File manager of the last compilation, kept for reuse because it has already indexed the jars on the class path. */
     private static final AtomicReference<Optional<StandardJavaFileManager>> KEPT =
             new AtomicReference<>(Optional.empty());
 
@@ -73,7 +73,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
                 + " because an expression or a block is nested too deeply. Split it into several shorter ones.");
     }
 
-    /** Closes a file manager that cannot be kept, because a concurrent compilation has already stored its own. */
+    /** Closes a file manager that cannot be kept because a concurrent compilation has already stored another one. */
     private static void close(StandardJavaFileManager other) {
         try {
             other.close();

@@ -21,7 +21,7 @@ import org.robonewbie.programs.completion.PartialWord;
 import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.hint.FrameworkNames;
 
-/** A student's Java file. It is compiled in memory together with the files in its folder that it uses. */
+/** A student's Java file. It is compiled in memory, together with the files that it uses from its folder. */
 public final class JavaSource {
 
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
@@ -63,7 +63,7 @@ public final class JavaSource {
         return new JavaSource(file, text);
     }
 
-    /** {@return the full name of the class that the file is named after} */
+    /** {@return the full name of the class after which the file is named} */
     public String className() {
         return packageName.isEmpty() ? simpleName() : packageName + "." + simpleName();
     }
@@ -73,8 +73,7 @@ public final class JavaSource {
     }
 
     /**
-     * Compiles the file. The returned supplier loads the class anew on each call, so that each copy has its own static
-     * fields.
+     * Compiles the file. The returned supplier loads a new copy of the class on each call, with separate static fields.
      *
      * @param classPath the user's folders and jars
      * @return a supplier that loads the class of the file
@@ -99,7 +98,7 @@ public final class JavaSource {
      *
      * @param classPath the user's folders and jars
      * @param folder folder for the class files
-     * @return whether the file has no errors, see {@link #check}
+     * @return whether the file has no errors; see {@link #check}
      * @throws IOException if the folder cannot be written
      * @throws CalledWronglyException if the compiler runs out of memory or stack; the message says what to do
      */

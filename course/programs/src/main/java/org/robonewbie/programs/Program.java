@@ -54,7 +54,7 @@ public final class Program {
      *
      * @param type the class
      * @return the program
-     * @throws CalledWronglyException if it has no main method
+     * @throws CalledWronglyException if the class has no main method
      */
     public static Program ofAny(Class<?> type) {
         return of(type).or(() -> Stream.of(type.getMethods())
@@ -93,17 +93,17 @@ public final class Program {
                         .anyMatch(each -> each.getParameterCount() == 0 && !Modifier.isPrivate(each.getModifiers()));
     }
 
-    /** {@return the name of the class} */
+    /** {@return the name of the program's class} */
     String className() {
         return type.getName();
     }
 
     /**
-     * Runs the program on the current thread. If it throws an exception, the stack trace is printed with only the lines
-     * of the program.
+     * Runs the program on the current thread. If it throws an exception, only the program's own lines of the stack
+     * trace are printed.
      *
      * @param options the arguments for its {@code main}
-     * @return the exit code: 0, or 1 if the program threw an exception or a robot failed
+     * @return the exit code: 0, or 1 if the program threw an exception or one of its robots failed
      */
     public int run(List<String> options) {
         Thread.currentThread().setContextClassLoader(type.getClassLoader());

@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.text.Spelling;
 
-/** Finds a program by the name of an example, a class or a Java file. */
+/** Finds a program, given the name of an example, a class or a Java file. */
 public final class ProgramFinder {
 
     private final SortedMap<String, String> examples = ExampleCatalogue.classNames();
@@ -34,19 +34,19 @@ public final class ProgramFinder {
      *
      * @param name simple name of an example, a class or a Java file
      * @return the program
-     * @throws CalledWronglyException if there is none; the message lists the examples
+     * @throws CalledWronglyException if there is no such program; the message lists the examples
      */
     public Program find(String name) {
         return programOf(findClass(name).get());
     }
 
     /**
-     * Finds a class and returns a supplier that loads it anew on each call, so that each copy has its own static
-     * fields. Classes of RoboNewbie are not loaded anew.
+     * Finds a class and returns a supplier that loads a new copy of it on each call, with separate static fields.
+     * Classes of RoboNewbie are not reloaded.
      *
      * @param name simple name of an example, a class or a Java file
      * @return a supplier of the class
-     * @throws CalledWronglyException if there is none; the message lists the examples
+     * @throws CalledWronglyException if there is no such program; the message lists the examples
      */
     public Supplier<Class<?>> findClass(String name) {
         if (name.endsWith(".java")) {
@@ -60,12 +60,12 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program and returns a supplier that loads it anew on each call, so that each copy has its own static
-     * fields. Classes of RoboNewbie are not loaded anew.
+     * Finds a program and returns a supplier that loads a new copy of it on each call, with separate static fields.
+     * Classes of RoboNewbie are not reloaded.
      *
      * @param name simple name of an example, a class or a Java file
      * @return a supplier of the program
-     * @throws CalledWronglyException if there is none; the message lists the examples
+     * @throws CalledWronglyException if there is no such program; the message lists the examples
      */
     public Supplier<Program> findRepeatedly(String name) {
         Supplier<Class<?>> types = findClass(name);

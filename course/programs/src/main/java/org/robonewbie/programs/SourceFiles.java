@@ -14,8 +14,8 @@ import javax.tools.StandardJavaFileManager;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * File manager that uses {@link TextFile} to decode the Java files to compile and those on the source path, so that the
- * system's default encoding does not matter.
+ * File manager that uses {@link TextFile} to decode the Java files to compile and those on the source path, regardless
+ * of the system's default encoding.
  */
 public final class SourceFiles extends ForwardingJavaFileManager<StandardJavaFileManager> {
 

@@ -11,7 +11,8 @@ import org.robonewbie.nao.file.SubmittedFolder;
 
 /**
  * Folder with Java sources: either a Maven project or plain files. The sources are compiled against RoboNewbie and the
- * jars in the subfolder {@code lib}. The compiler runs none of their code and reads no sources outside the folder.
+ * jars in the subfolder {@code lib}. The compiler does not run their code, and does not read sources outside the
+ * folder.
  *
  * @param folder the folder
  * @param deep whether subfolders are included, as in a project

@@ -9,7 +9,7 @@ import org.robonewbie.agent.Agent;
 /**
  * Creates robots that run a student's program, each with its own copy of the static fields.
  *
- * @param types loads the class, with a new class loader on each call
+ * @param types loads the class with a new class loader on each call
  */
 public record StudentsAgents(Supplier<Class<?>> types) implements Supplier<Agent> {
 

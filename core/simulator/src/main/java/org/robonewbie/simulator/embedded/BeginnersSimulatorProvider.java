@@ -69,7 +69,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         }
     }
 
-    /** Returns the file for the automatic recording; only a run with a view has one. */
+    /** Returns the file for the automatic recording; empty for a run without a view. */
     private static Optional<Path> automaticRecording(SimulatorRequest request) {
         return request.headless()
                 ? Optional.empty()

@@ -10,8 +10,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.simulator.Console;
 
 /**
- * Opens the user's browser with the command of the operating system. The command contains a {@link RedirectPage} instead
- * of the address, because command lines are visible to all users of a computer.
+ * Opens the user's browser with the operating system's command. The command contains a {@link RedirectPage} instead of
+ * the address, because command lines are visible to all users of a computer.
  */
 public final class Browser {
 

@@ -7,7 +7,7 @@ import java.net.URI;
 import java.util.Arrays;
 import java.util.function.Supplier;
 
-/** Prints a new address of a view whenever Enter is pressed in the terminal, because each address is valid for one use. */
+/** Prints a new address for a view whenever Enter is pressed in the terminal, because each address can be used only once. */
 public final class EnterKey {
 
     /**

@@ -17,7 +17,7 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * A local HTML file that redirects a browser to an address. Only the current user can read it, unlike the command line of a browser.
+ * A local HTML file that redirects a browser to an address. Only the current user can read it, unlike a browser's command line.
  *
  * <p>On Linux, it is stored in a visible folder in the home directory, because browsers installed from Snap and Flatpak
  * can read neither hidden folders nor {@code /tmp}. The file and the folder are deleted when this process ends.

@@ -12,18 +12,18 @@ public interface Viewer {
      * Opens a view of a simulation.
      *
      * @param simulation the simulation to show and control
-     * @param port TCP port on 127.0.0.1; 0 for the default port, or any free one if that is in use
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if the default is in use
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
     View open(SimulationControl simulation, int port) throws IOException;
 
     /**
-     * Opens a view of a simulation whose program the view may replace.
+     * Opens a view of a simulation, with permission to replace the program that started it.
      *
      * @param simulation the simulation to show and control
-     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free one if that is in use
-     * @param program the program that plays in the simulation
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if the default is in use
+     * @param program the program that started the simulation
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
@@ -38,8 +38,8 @@ public interface Viewer {
         URI address();
 
         /**
-         * Returns an address that authorises a browser: it contains a code that is valid once, for ten minutes. {@link
-         * Browser} opens it without revealing the code to other users of the computer.
+         * Returns an address that authorises a browser: it contains a code that expires after one use or ten minutes.
+         * {@link Browser} opens it without revealing the code to other users of the computer.
          *
          * @return a new address on each call
          */
@@ -49,17 +49,17 @@ public interface Viewer {
         boolean isWatched();
 
         /**
-         * Returns the sink for the telemetry of robots. It must be thread-safe: robots in this process and, through a
-         * {@link org.robonewbie.protocol.tcp.TelemetryServer}, in other processes use it.
+         * Returns the sink for the telemetry of robots. It must be thread-safe, because it is used by robots in this
+         * process and, through a {@link org.robonewbie.protocol.tcp.TelemetryServer}, by robots in other processes.
          *
          * @return the sink for log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show
-         *     them
+         *     telemetry
          */
         default TelemetrySink telemetry() {
             return TelemetrySink.NONE;
         }
 
-        /** Closes the view; connected pages show that it is closed. */
+        /** Closes the view. Connected pages show that it has been closed. */
         @Override
         void close();
     }

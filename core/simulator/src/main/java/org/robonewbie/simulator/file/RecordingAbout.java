@@ -15,7 +15,7 @@ import org.robonewbie.simulator.json.Json;
 
 /**
  * The metadata of a recording in a sidecar file {@code NAME.about}: its origin and the user's annotations. The recording
- * itself contains none of it, so that identical runs produce identical recordings.
+ * itself does not contain this metadata, so that identical runs produce identical recordings.
  *
  * @param agent name of the program, empty if unknown
  * @param project working directory of the program, empty if unknown
@@ -120,7 +120,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      * @param seconds time since the start of the recording
      * @param note the user's note, truncated to 300 characters
      * @return a modified copy
-     * @throws IllegalArgumentException if there are already 500 bookmarks; the message is suitable for the user
+     * @throws IllegalArgumentException if there are already 500 bookmarks; the message can be shown to the user
      */
     public RecordingAbout withBookmark(double seconds, String note) {
         List<Bookmark> all = new ArrayList<>(withoutBookmark(seconds).bookmarks());
@@ -136,7 +136,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     /**
      * Removes a bookmark.
      *
-     * @param seconds its time
+     * @param seconds time of the bookmark
      * @return a modified copy
      */
     public RecordingAbout withoutBookmark(double seconds) {

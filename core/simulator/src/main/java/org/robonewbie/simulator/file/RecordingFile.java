@@ -14,8 +14,8 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A recording as a gzip file. It is written as {@code NAME.part} and renamed when it is closed, so that a program that is
- * killed leaves a partial but readable recording.
+ * A recording as a gzip file. It is written as {@code NAME.part} and renamed when it is closed. If the program is killed,
+ * a partial but readable recording remains.
  */
 public final class RecordingFile implements RecordingTarget {
 
@@ -70,7 +70,7 @@ public final class RecordingFile implements RecordingTarget {
      * Opens a recording for reading.
      *
      * @param file a recording
-     * @return the reader, before the first cycle
+     * @return the reader, positioned before the first cycle
      * @throws IOException if the file cannot be read or is not a recording
      */
     public static RecordingReader read(Path file) throws IOException {
@@ -122,7 +122,7 @@ public final class RecordingFile implements RecordingTarget {
                 Files.delete(AtomicFile.part(file));
             }
         } catch (IOException missing) {
-            // There is nothing to delete.
+            // There is no file to delete.
         }
     }
 

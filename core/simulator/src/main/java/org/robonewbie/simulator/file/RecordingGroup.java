@@ -25,7 +25,7 @@ public record RecordingGroup(Path recording) {
 
     private static final List<String> SIDECARS = List.of(NOTES, INDEX, ABOUT);
 
-    /** {@return the name of the recording without extension} */
+    /** {@return the recording's name without the extension} */
     public String name() {
         String file = String.valueOf(recording.getFileName());
         String finished = withoutEnd(file, AtomicFile.UNFINISHED);
@@ -50,7 +50,7 @@ public record RecordingGroup(Path recording) {
      * Moves all files, the recording last, and preserves their modification times.
      *
      * @param folder the target folder; must exist
-     * @param newName the new name without extension
+     * @param newName the new name without an extension
      * @return the moved recording
      * @throws IOException if they cannot be moved
      */

@@ -23,7 +23,7 @@ import org.robonewbie.nao.file.AtomicFile;
  */
 public record RecordingRepository(Path folder, long maxBytes) {
 
-    /** Environment variable that switches automatic recording {@code off} or selects another folder. */
+    /** Environment variable that disables automatic recording ({@code off}) or selects a different folder. */
     public static final String SWITCH = "ROBONEWBIE_RECORDINGS";
 
     /** Extension of recordings. */
@@ -35,8 +35,8 @@ public record RecordingRepository(Path folder, long maxBytes) {
     /**
      * Returns the repository of the current user.
      *
-     * @return the repository in {@code .robonewbie/recordings} in the home directory or in the folder that {@link
-     *     #SWITCH} names; empty if recording is switched off
+     * @return the repository in {@code .robonewbie/recordings} in the home directory or in the folder specified by
+     *     {@link #SWITCH}; empty if automatic recording is disabled
      */
     public static Optional<RecordingRepository> ofUser() {
         String choice = Optional.ofNullable(System.getenv(SWITCH)).orElse("");
@@ -97,7 +97,7 @@ public record RecordingRepository(Path folder, long maxBytes) {
         }
     }
 
-    /** Deletes the oldest recordings until the rest are within the size limit, but never deletes the newest one. */
+    /** Deletes the oldest recordings until the rest are within the size limit, but always keeps the newest one. */
     private void deleteOldest() throws IOException {
         long bytes = 0;
         for (Path file : list()) {
@@ -110,7 +110,7 @@ public record RecordingRepository(Path folder, long maxBytes) {
         }
     }
 
-    /** Enforces the size limit during a recording; returns false if this recording alone exceeds it or has disappeared. */
+    /** Enforces the size limit during a recording; returns false if this recording alone exceeds the limit or no longer exists. */
     boolean keepLimit(Path file) {
         try {
             deleteOldest();

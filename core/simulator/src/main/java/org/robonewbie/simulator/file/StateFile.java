@@ -31,8 +31,8 @@ public final class StateFile {
      * @param file the file
      * @return the state
      * @throws IOException if it cannot be read
-     * @throws IllegalArgumentException if the file is not a state in this format version or is damaged; the message
-     *     names the file and the byte
+     * @throws IllegalArgumentException if the file is damaged or is not a state in this format version; the message
+     *     contains the file name and the byte offset
      */
     public static WorldState read(Path file) throws IOException {
         try {

@@ -17,7 +17,7 @@ import org.robonewbie.nao.math.PortableMath;
  * }</pre>
  *
  * @param name name on the command line
- * @param description short description for help texts
+ * @param description short description for the command-line help
  * @param things the objects in their initial poses
  */
 public record Landscape(String name, String description, List<Thing> things) {

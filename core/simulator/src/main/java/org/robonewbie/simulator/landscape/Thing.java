@@ -12,7 +12,7 @@ import org.robonewbie.nao.kinematics.Rotation;
  * Thing crate = Thing.movable("crate", new Vector3(0.5, 0.5, 0.5), new Vector3(1, 0, 0.25), 2);
  * }</pre>
  *
- * @param name name of its kind, such as {@code wall}
+ * @param name name of the kind of object, such as {@code wall}
  * @param size edge lengths along its axes in metres
  * @param massKg mass in kilograms; 0 for a static thing
  * @param pose pose of its centre in the world frame

@@ -5,7 +5,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.MonitorMessageWriter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Sends states to all monitors: partial messages to monitors that are up to date, full messages to the others. */
+/** Sends states to all monitors: partial messages to those that are up to date, full messages to the others. */
 final class MonitorBroadcast {
 
     private final SoccerScene scene;

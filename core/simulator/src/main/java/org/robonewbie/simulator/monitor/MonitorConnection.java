@@ -14,8 +14,8 @@ import org.robonewbie.protocol.tcp.FrameEncoder;
 import org.robonewbie.protocol.tcp.FrameTooLongException;
 
 /**
- * The simulator's end of a monitor's connection. While a message is being sent, newer ones are dropped; a monitor that missed a
- * message gets a full one next.
+ * The simulator's end of a monitor's connection. While a message is being sent, newer ones are dropped; a monitor that has
+ * missed a message receives a full one next.
  */
 final class MonitorConnection {
 
@@ -97,7 +97,7 @@ final class MonitorConnection {
         try {
             channel.close();
         } catch (IOException broken) {
-            // The connection is abandoned anyway.
+            // The connection is being abandoned anyway.
         }
     }
 

@@ -15,7 +15,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. A line with a monitor message is written
  * every 0.2 s: a full message at least every 3 s and whenever the scene has changed, otherwise a partial one.
  *
- * <p>Each line is flushed, so that a killed server leaves a valid log.
+ * <p>Each line is flushed, so the log is valid even if the server is killed.
  */
 public final class MonitorLog implements AutoCloseable {
 

@@ -74,7 +74,7 @@ public final class MonitorPort implements AutoCloseable {
      *
      * @param settings the configuration
      * @param console output for messages to the user
-     * @param trainer receives the commands from monitors on the port's thread; must not block
+     * @param trainer receives commands from monitors, on the port's thread; must not block
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -138,7 +138,7 @@ public final class MonitorPort implements AutoCloseable {
         }
     }
 
-    /** Makes the next message to every monitor a full one. Call only on the simulation thread. */
+    /** Makes the next message to every monitor a full message. Call only on the simulation thread. */
     public void requestFullState() {
         fullWanted = true;
     }

@@ -9,12 +9,12 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  *
  * @param bindAddress local address to listen on, such as 127.0.0.1
  * @param port TCP port, 0 for any free port
- * @param stepSeconds simulated seconds between two messages; rounded to whole cycles of 0.02 s
+ * @param stepSeconds simulated seconds between messages, rounded to whole cycles of 0.02 s
  * @param parameters pitch and rules
  */
 public record MonitorSettings(String bindAddress, int port, double stepSeconds, SoccerParameters parameters) {
 
-    /** Seconds between two messages in rcssserver3d. */
+    /** Seconds between messages in rcssserver3d. */
     public static final double DEFAULT_STEP_SECONDS = 0.04;
 
     int cyclesPerMessage() {

@@ -8,7 +8,7 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * The state that monitors receive after a cycle.
+ * The state after a cycle, as sent to monitors.
  *
  * @param game the state of the match
  * @param fouls fouls of the match in chronological order; old ones may be omitted, because monitors receive only new

@@ -10,11 +10,11 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The state of one robot that monitors receive.
+ * The state of one robot, as sent to monitors.
  *
  * @param id id of the robot, unique while the simulator runs
- * @param type its robot type
- * @param player its team and number, empty before it joins a team
+ * @param type the robot type
+ * @param player team and number of the robot, empty before it joins a team
  * @param selected whether a trainer has selected it
  * @param transforms transforms of the links, 4 × 4 matrices in column-major order; must not be modified
  */
@@ -29,7 +29,7 @@ public record MonitoredRobotState(
      *
      * @param id id of the robot
      * @param robot the robot
-     * @param player its team and number, empty before it joins a team
+     * @param player team and number of the robot, empty before it joins a team
      * @param selected whether a trainer has selected it
      * @return its current state
      */
@@ -55,7 +55,7 @@ public record MonitoredRobotState(
         return transform;
     }
 
-    /** Writes a pose as a 4 × 4 matrix in column-major order to the 16 elements from {@code offset} on. */
+    /** Writes a pose as a 4 × 4 matrix in column-major order to the 16 elements starting at {@code offset}. */
     private static void writeTransform(BodyPose pose, float[] target, int offset) {
         writeColumn(pose.rotation().axisX(), target, offset);
         writeColumn(pose.rotation().axisY(), target, offset + 4);

@@ -40,7 +40,7 @@ public final class RecordedLog {
      * @param recording the recording
      * @param log the log file; an existing file is replaced
      * @throws DamagedRecordingException if the file is not a recording or is damaged
-     * @throws IOException if a file cannot be read or written; the message says which
+     * @throws IOException if a file cannot be read or written; the message contains the file name
      */
     public static void write(Path recording, Path log) throws IOException {
         try (RecordingReader reader = RecordingFile.read(recording);
@@ -52,7 +52,7 @@ public final class RecordedLog {
     /**
      * Converts a recording to a log.
      *
-     * @param recording the recording, before its first cycle
+     * @param recording the recording, positioned before the first cycle
      * @param log receives the log; closed at the end
      * @throws DamagedRecordingException if the recording is damaged
      * @throws IOException if it cannot be read

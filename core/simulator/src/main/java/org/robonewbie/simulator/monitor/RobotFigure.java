@@ -72,7 +72,7 @@ final class RobotFigure {
         return link.name().equals(NaoModel.TORSO) ? List.of(shown, TransformNode.at(0, 0, 0, marker)) : List.of(shown);
     }
 
-    /** A mesh and the materials that it has before the robot joins a team. */
+    /** A mesh and its materials before the robot joins a team. */
     private record ColouredMesh(MeshNode mesh, List<String> plain) {
 
         void colour(Optional<PlayerNumber> player) {

@@ -64,7 +64,7 @@ final class RobotMeshes {
                 : mesh(name, 0.07f, "matTeam", "naowhite");
     }
 
-    /** Returns the foot mesh scaled to the length and height of a foot or toe. */
+    /** Returns the foot mesh, scaled to the length and height of a foot or toe. */
     private static MeshNode foot(String name, Shape.Box box) {
         return new MeshNode(
                 new MeshFile(path(name), List.of()),

@@ -19,7 +19,7 @@ public interface Assembly {
     RigidBody addBody(MassDistribution mass, Vector3 position);
 
     /**
-     * Connects two bodies by a hinge whose angle is 0 in their current pose.
+     * Connects two bodies with a hinge whose angle is 0 in their current pose.
      *
      * @param child the outer body; a positive angle rotates it relative to the parent by the right-hand rule
      * @param parent the inner body

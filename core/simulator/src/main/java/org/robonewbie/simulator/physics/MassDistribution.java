@@ -7,7 +7,7 @@ import org.robonewbie.nao.model.Shape;
  * Mass and principal moments of inertia of a body.
  *
  * @param massKg mass in kilograms
- * @param inertia moments about the body's x, y and z axis in kg m²
+ * @param inertia moments about the body's x, y and z axes in kg m²
  */
 public record MassDistribution(double massKg, Vector3 inertia) {
 

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 /**
  * Contact properties of a surface. Friction is unlimited, but the surface slips under load.
  *
- * <p>If a value is empty, that of the other surface applies; if both are empty, the engine's default applies. Source:
+ * <p>If a value is empty, the other surface's value applies; if both are empty, the engine's default applies. Source:
  * SimSpark's contact joint handler and ODE's contact parameters.
  *
  * @param bounce restitution
@@ -26,7 +26,8 @@ public record Material(
     public record Bounce(double restitution, double minimumVelocity) {}
 
     /**
-     * Combines two surfaces: each property is the mean of both values or, if only one surface specifies it, that value.
+     * Combines two surfaces: each property is the mean of both values, or the only value if just one surface specifies
+     * it.
      *
      * @param other the other surface
      * @return the properties of their contact

@@ -25,7 +25,7 @@ public interface PhysicsWorld extends Restorable {
 
     /**
      * {@return the permanent assembly for everything else, such as the ball and the outer walls; its bodies collide
-     * with each other and with all others}
+     * with each other and with all other bodies}
      */
     Assembly scenery();
 

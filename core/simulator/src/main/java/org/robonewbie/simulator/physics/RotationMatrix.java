@@ -80,7 +80,7 @@ public record RotationMatrix(
      * Composes two rotations.
      *
      * @param first the rotation that is applied first
-     * @return the product of this rotation and the first
+     * @return the product of this rotation and {@code first}
      */
     public RotationMatrix after(RotationMatrix first) {
         Vector3 x = apply(first.axisX());

@@ -1,5 +1,5 @@
 /**
- * Minimal interface to a rigid body engine, so that engines can be exchanged. Read {@link
+ * Minimal interface to a rigid body engine, which makes the engine interchangeable. Read {@link
  * org.robonewbie.simulator.physics.PhysicsWorld} first.
  *
  * <p>Angles are in radians, all other quantities in metres, kilograms, seconds and newtons. Vectors are in the world frame

@@ -10,7 +10,7 @@ import org.robonewbie.nao.model.RobotType;
  * A robot in the roster of a recording.
  *
  * @param id id of the robot
- * @param type its robot type
+ * @param type the robot type
  * @param side 0 if it has no team, 1 for the left team, 2 for the right team
  * @param number uniform number, 0 if it has no team
  * @param team name of its team, empty if it has no team

@@ -47,7 +47,7 @@ final class RecordCursor {
         return (value >>> 1) ^ -(value & 1);
     }
 
-    /** Skips bytes and returns the index of the first one. */
+    /** Skips bytes and returns the index of the first skipped byte. */
     int skip(long count) {
         if (count < 0 || count > end - at) {
             throw new IndexOutOfBoundsException(at);

@@ -68,7 +68,7 @@ final class RecordSink {
         }
     }
 
-    /** Sends the target all records written since the previous call. */
+    /** Sends all records written since the previous call to the target. */
     void send() {
         digest.update(records.bytes(), 0, records.length());
         target.write(records.bytes(), records.length());

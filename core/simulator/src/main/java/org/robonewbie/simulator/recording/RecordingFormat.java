@@ -3,7 +3,7 @@ package org.robonewbie.simulator.recording;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Constants of the recording format, which {@code docs/recording-format.md} describes. */
+/** Constants of the recording format; see {@code docs/recording-format.md}. */
 final class RecordingFormat {
 
     static final String MAGIC = "RoboNewbie recording\n";

@@ -56,8 +56,8 @@ public final class RecordingReader implements AutoCloseable {
      *
      * @param raw the bytes of the recording; closed with the reader
      * @param name name of the recording in messages, such as a file name in quotes
-     * @return the reader, before the first cycle
-     * @throws DamagedRecordingException if it is not a recording
+     * @return the reader, positioned before the first cycle
+     * @throws DamagedRecordingException if the data is not a recording
      * @throws IOException if it cannot be read
      */
     public static RecordingReader of(InputStream raw, String name) throws IOException {
@@ -73,12 +73,12 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     /**
-     * Opens an uncompressed recording, as a {@link RecordingTarget} receives it.
+     * Opens an uncompressed recording, as received by a {@link RecordingTarget}.
      *
      * @param raw the bytes; closed with the reader
      * @param name name of the recording in messages
-     * @return the reader, before the first cycle
-     * @throws DamagedRecordingException if it is not a recording
+     * @return the reader, positioned before the first cycle
+     * @throws DamagedRecordingException if the data is not a recording
      * @throws IOException if it cannot be read
      */
     public static RecordingReader ofUnpacked(InputStream raw, String name) throws IOException {

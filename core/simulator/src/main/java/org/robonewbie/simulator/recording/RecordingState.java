@@ -8,8 +8,8 @@ import java.util.Map;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * An incremental reader of a recording that keeps the state after the last cycle as raw fixed-point values, so that
- * another reader can start in the middle. It accepts the bytes in chunks and reports events and cycles to a listener.
+ * An incremental reader of a recording. It keeps the state after the last cycle as raw fixed-point values, so that
+ * another reader can start from there. It accepts the bytes in chunks and reports events and cycles to a listener.
  *
  * <pre>{@code
  * RecordingState state = new RecordingState(listener);
@@ -215,7 +215,7 @@ public final class RecordingState {
         }
     }
 
-    /** {@return whether the last byte read ends a cycle, so that reading can start after it} */
+    /** {@return whether the last byte read ends a cycle, so that another reader can start after it} */
     public boolean isBetweenCycles() {
         return begun && betweenCycles && rest.length == 0;
     }
@@ -252,12 +252,12 @@ public final class RecordingState {
         return ball[index];
     }
 
-    /** {@return the goals of the left and the right team} */
+    /** {@return the goals of the left and right teams} */
     public List<Integer> score() {
         return score;
     }
 
-    /** {@return the names of the left and the right team, empty for a missing team} */
+    /** {@return the names of the left and right teams; empty for a missing team} */
     public List<String> teams() {
         return teams;
     }

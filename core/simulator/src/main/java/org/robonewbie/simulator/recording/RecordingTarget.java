@@ -2,7 +2,7 @@ package org.robonewbie.simulator.recording;
 
 /**
  * A destination for the bytes of a recording, such as a file. Implementations must not throw exceptions, so that a
- * failure does not disturb the run.
+ * failure does not affect the run.
  */
 public interface RecordingTarget {
 

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * A writer of recordings, which contain the changes to the game, the ball, the robots and their commands in each cycle.
+ * A writer of recordings, which contain the changes in each cycle to the game, the ball, the robots and their commands.
  * Identical runs produce identical bytes. Commands are optional, because sources such as the log of another server lack
  * them.
  */
@@ -165,7 +165,7 @@ public final class RecordingWriter implements AutoCloseable {
         return changes > 0 || !others.isEmpty();
     }
 
-    /** Appends a speed if it has changed; returns the number of appended speeds, 0 or 1. */
+    /** Appends a speed if it has changed; returns the number of speeds appended, 0 or 1. */
     private int putSpeed(long[] speeds, NaoModel model, SetHingeSpeed command) {
         OptionalInt hinge = model.hingeIndex(command.effectorName());
         long steps = PortableMath.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);

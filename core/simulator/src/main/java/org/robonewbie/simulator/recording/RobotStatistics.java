@@ -8,20 +8,22 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Ground-truth results for one robot: falls and walked distance.
+ * Ground-truth results for one robot: its falls and the distance that it walked.
  *
- * <p>A robot stands while its torso tilts by less than 30 degrees and its centre is more than 0.25 m above the ground. A fall
- * is counted when the torso of a robot that has stood since its last fall tilts by more than 60 degrees or sinks below 0.2 m.
+ * <p>A robot is standing while its torso is tilted by less than 30 degrees and the centre of the torso is more than 0.25 m above
+ * the ground. A fall is counted when the torso of a robot that has stood since its last fall tilts by more than 60 degrees or
+ * sinks below 0.2 m.
  *
- * <p>The walked distance is the path of the upright torso over the ground, low-pass filtered with a time constant of 0.5 s and
- * measured in segments of 0.1 m, so that swaying on the spot does not count. Beams and moves by the referee do not count either.
+ * <p>The distance walked is the length of the upright torso's path over the ground, low-pass filtered with a time constant of
+ * 0.5 s and measured in segments of 0.1 m, so that swaying on the spot does not count. Beams and moves by the referee do not
+ * count either.
  */
 final class RobotStatistics {
 
     private static final double SMOOTHING = Cycle.SECONDS / 0.5;
     private static final double SEGMENT_METRES = 0.1;
 
-    /** Movement per cycle above which a robot must have been beamed. */
+    /** Movement per cycle above which the robot must have been beamed. */
     private static final double BEAM_METRES = 0.1;
 
     private final NaoModel model;
@@ -107,7 +109,7 @@ final class RobotStatistics {
         }
     }
 
-    /** Adds a movement to the walked path unless it is a jump. */
+    /** Adds a movement to the path walked, unless it is a jump. */
     private void walk(double x, double y) {
         walkedX += x;
         walkedY += y;

@@ -14,8 +14,8 @@ import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * Writes the recording of a run and collects the results for its report. Not thread-safe. For robots that have left,
- * only the most recent results are kept, so that a long-running server uses a bounded amount of memory.
+ * Writes the recording of a run and collects the results for its report. Not thread-safe. Only the most recent results
+ * are kept for robots that have left, which bounds the memory used by a long-running server.
  */
 public final class RunRecorder implements AutoCloseable {
 

@@ -47,12 +47,13 @@ public record RunReport(
      *
      * @param team name of its team
      * @param number uniform number, 0 if it has no team
-     * @param falls number of times that the robot stood and its torso then tilted by more than 60 degrees or sank below 0.2 m
-     * @param metresWalked walked distance, excluding swaying and beams
+     * @param falls number of times that the torso tilted by more than 60 degrees or sank below 0.2 m after the robot had been
+     *     standing
+     * @param metresWalked distance walked, excluding swaying and beams
      * @param position final position of the torso's centre in the world frame, metres
      * @param headingDegrees final heading, 0 along x towards the right goal, counter-clockwise
-     * @param upright whether it stood at the end
-     * @param missedCycles number of messages that its agent did not answer before the next one was sent
+     * @param upright whether the robot was standing at the end
+     * @param missedCycles number of messages to which the agent did not respond before the next one was sent
      * @param joints final angle of each joint in degrees
      */
     public record RobotResult(
@@ -76,7 +77,7 @@ public record RunReport(
      * The results for the ball.
      *
      * @param position final position of its centre in the world frame, metres
-     * @param metresMoved distance that it rolled and flew
+     * @param metresMoved distance that the ball rolled and flew
      * @param leastDistanceToGoal minimum distance from the mouth of the goal that the left team attacks, metres
      */
     public record Ball(Vector3 position, double metresMoved, double leastDistanceToGoal) {}
@@ -117,7 +118,7 @@ public record RunReport(
                         .toJson(json) + "\n";
     }
 
-    /** Maps the names of all hinges, such as {@code LEFT_KNEE_PITCH}, to their angles. Toe joints have SimSpark's names. */
+    /** Maps the names of all hinges, such as {@code LEFT_KNEE_PITCH}, to their angles. Toe joints keep their SimSpark names. */
     static Map<String, Double> joints(NaoModel model, double[] degrees) {
         Map<String, Double> joints = new LinkedHashMap<>();
         List<Hinge> hinges = model.hinges();
@@ -157,7 +158,7 @@ public record RunReport(
         return Json.object("time", rounded(goal.playSeconds()), "team", goal.team());
     }
 
-    /** Rounds to six decimals. Infinite values, such as the goal distance of a run without cycles, become 0. */
+    /** Rounds to six decimals. Infinite values, such as the distance to the goal in a run without cycles, become 0. */
     private static double rounded(double value) {
         return Double.isFinite(value) ? PortableMath.rint(value * ROUNDING) / ROUNDING : 0;
     }

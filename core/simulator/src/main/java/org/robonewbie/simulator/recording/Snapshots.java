@@ -16,7 +16,7 @@ public final class Snapshots {
     private Snapshots() {}
 
     /**
-     * Takes a snapshot with the clock values of a simulation that runs in real time.
+     * Takes a snapshot with the clock values of a real-time simulation.
      *
      * @param cycle number of the cycle
      * @param match the game

@@ -184,7 +184,8 @@ final class RubyLexer {
     }
 
     /**
-     * Returns whether a value may start here: after an operator, or after a word and a space, as in {@code puts /x/}.
+     * Returns whether a value may start at the current character: after an operator, or after a word and a space, as in
+     * {@code puts /x/}.
      */
     private boolean isExpressionStart() {
         if (tokens.isEmpty()) {
@@ -200,7 +201,7 @@ final class RubyLexer {
     }
 
     /**
-     * Returns whether a word is a call whose argument starts here: there is a space before the current character but
+     * Returns whether a word is a call whose argument starts at the current character, which has a space before it but
      * none after it, as in {@code puts /x/}.
      */
     private boolean isCall(RubyToken word) {

@@ -139,7 +139,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             return behindDot || label;
         }
 
-        /** Returns whether a keyword is a modifier such as the {@code if} of {@code x = 1 if y}, which has no {@code end}. */
+        /** Returns whether a keyword is a modifier, such as the {@code if} in {@code x = 1 if y}, which has no {@code end}. */
         private boolean isModifier(int index) {
             if (!MODIFIERS.contains(script.get(index).text()) || index == 0) {
                 return false;

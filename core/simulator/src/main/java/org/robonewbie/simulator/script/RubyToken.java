@@ -19,7 +19,7 @@ record RubyToken(Kind kind, String text, int line, int from, int to) {
         NUMBER,
         /** A string or symbol with a known value. */
         STRING,
-        /** A string with a value that only Ruby can compute, such as one with interpolation. */
+        /** A string whose value only Ruby can compute, such as one with interpolation. */
         OTHER_STRING,
         SIGN,
         /** The end of a line or a semicolon. */

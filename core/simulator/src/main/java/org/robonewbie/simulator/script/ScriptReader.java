@@ -19,7 +19,7 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.script.RubyToken.Kind;
 
-/** Interprets a start script and the scripts that it runs, and reports each setting that is ignored. */
+/** Interprets a start script and the scripts that it runs, and reports each ignored setting. */
 final class ScriptReader {
 
     private static final int MAX_REPORTS = 40;
@@ -113,7 +113,8 @@ final class ScriptReader {
     }
 
     /**
-     * Finds a script that another script runs: first in the folder of that other script, then in the working directory.
+     * Finds a script that is run by another one, first in the folder of the calling script, then in the working
+     * directory.
      */
     Optional<Path> find(String script, Path other) {
         try {

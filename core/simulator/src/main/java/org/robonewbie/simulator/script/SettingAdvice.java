@@ -69,7 +69,7 @@ final class SettingAdvice {
         return SoccerParameter.ofSimSparkName(name).isPresent();
     }
 
-    /** Returns whether a name differs from that of a parameter only in capitalization. */
+    /** Returns whether a name differs from a parameter's name only in case. */
     static boolean isParameterInOtherLetters(String name) {
         return Arrays.stream(SoccerParameter.values())
                 .anyMatch(each -> each.simSparkName().equalsIgnoreCase(name));
@@ -79,7 +79,7 @@ final class SettingAdvice {
         return STANDARD_SCRIPTS.contains(path.substring(path.lastIndexOf('/') + 1));
     }
 
-    /** Returns advice on an unsupported setting, as a sentence. */
+    /** Returns a sentence of advice on an unsupported setting. */
     static String of(String name, Optional<Object> value) {
         String known = ORIGINAL.get(name);
         if (known != null) {
@@ -96,7 +96,7 @@ final class SettingAdvice {
                 : "there is no parameter " + name + "." + SoccerParameter.question(name);
     }
 
-    /** Returns an example of the supported notation for a setting. */
+    /** Returns an example of a supported way to write a setting. */
     static String example(List<RubyToken> tokens) {
         RubyToken first = tokens.get(0);
         if (first.kind() == Kind.GLOBAL) {

@@ -20,8 +20,8 @@ public final class SoccerParameterFile {
      *
      * @param file the file
      * @return its valid assignments, in file order
-     * @throws UnreadableFileException if the file cannot be read or a line is not valid; the message names the file and
-     *     the line
+     * @throws UnreadableFileException if the file cannot be read or a line is not valid; the message contains the file
+     *     name and the line number
      */
     public static List<String> read(Path file) throws UnreadableFileException {
         List<String> assignments = new ArrayList<>();

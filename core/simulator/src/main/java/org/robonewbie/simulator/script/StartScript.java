@@ -11,7 +11,7 @@ import org.robonewbie.simulator.Console;
  * Settings in a start script of rcssserver3d: soccer parameters, as {@code addSoccerVar('RuleHalfTime', 5.0 * 60)} or
  * {@code RuleHalfTime = 60}, and the variables {@code $agentPort}, {@code $serverPort}, {@code $agentSyncMode} and
  * {@code $enableRealTimeMode}, including settings in the scripts that it runs. Lines that look like settings but are
- * not supported are reported with the reason; all other Ruby code is ignored.
+ * not supported are reported with a reason; all other Ruby code is ignored.
  *
  * <p>Source: the scripts {@code rcssserver3d.rb} and {@code naosoccersim.rb} of rcssserver3d 0.7.3.
  */
@@ -53,12 +53,12 @@ public final class StartScript {
                 .toList();
     }
 
-    /** {@return the agent port; empty if the script does not set it} */
+    /** {@return the agent port; empty if not set by the script} */
     public Optional<Integer> agentPort() {
         return port(AGENT_PORT);
     }
 
-    /** {@return the monitor port; empty if the script does not set it} */
+    /** {@return the monitor port; empty if not set by the script} */
     public Optional<Integer> monitorPort() {
         return port(MONITOR_PORT);
     }

@@ -31,7 +31,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * Camera in the centre of a robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
  *
  * <p>It detects the centres of all objects within its view cone, including the robot's own arms, without range limit or
- * occlusion. The server takes an image in every third cycle.
+ * occlusion. The server takes an image every third cycle.
  *
  * <pre>{@code
  * Camera camera = new Camera(world.field(), CameraSettings.STANDARD, random);
@@ -76,7 +76,7 @@ public final class Camera implements Restorable {
     /**
      * Takes an image.
      *
-     * @param observer the robot that carries the camera in its head
+     * @param observer the robot whose head contains the camera
      * @param world the world with the ball
      * @param players all robots that belong to a team, in a fixed order, including the observer
      * @param side the side of the observer's team, which determines the frame of the true positions; empty if it has no
@@ -148,8 +148,8 @@ public final class Camera implements Restorable {
     }
 
     /**
-     * Returns whether a point is visible, and stores its position in {@link #local}. Allocates nothing, because most
-     * points are not visible.
+     * Returns whether a point is visible, and stores its position in {@link #local}. Does not allocate memory, because
+     * most points are not visible.
      */
     private boolean sees(BodyPose head, Vector3 point) {
         locate(head, point);

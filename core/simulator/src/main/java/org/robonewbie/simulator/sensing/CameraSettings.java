@@ -23,7 +23,7 @@ public record CameraSettings(
     /** The NAO's camera in rcssserver3d. */
     public static final CameraSettings STANDARD = new CameraSettings(120, 120, true, true, false, false, false);
 
-    /** Number of cycles from one image to the next. */
+    /** Number of cycles between images. */
     public static final int CYCLES_PER_PICTURE = 3;
 
     /**
@@ -49,7 +49,7 @@ public record CameraSettings(
     }
 
     /**
-     * Returns a copy that reports the given ground-truth values, which a real camera cannot provide.
+     * Returns a copy that reports the selected ground-truth values, which a real camera cannot provide.
      *
      * @param ownPositionOn whether the true position of the robot's own head is reported
      * @param ownOrientationOn whether the true direction of the robot's own head is reported

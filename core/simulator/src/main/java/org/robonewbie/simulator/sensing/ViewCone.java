@@ -6,8 +6,8 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * View cone of a camera in the frame of the head: x right, y forward, z up.
  *
- * <p>Points are tested by their angles. A line that is only partly visible is clipped at the rectangular border of the
- * image instead, so clipped ends may lie slightly outside the angle limits.
+ * <p>Points are tested by their angles. A line that is only partly visible is clipped to the rectangular image instead,
+ * so its clipped ends may lie slightly outside the angle limits.
  */
 final class ViewCone {
 

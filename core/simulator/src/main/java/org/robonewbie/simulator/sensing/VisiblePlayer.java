@@ -7,7 +7,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Snapshot of a player for all cameras that take an image in the same cycle.
+ * Snapshot of a player, shared by all cameras that take an image in the same cycle.
  *
  * @param team team name
  * @param number shirt number

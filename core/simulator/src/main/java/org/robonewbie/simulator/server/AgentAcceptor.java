@@ -52,8 +52,8 @@ final class AgentAcceptor {
     }
 
     /**
-     * Reads everything that has arrived, such as an agent's last answer and its disconnection. A limit protects against agents
-     * that never stop sending.
+     * Reads everything that has arrived, such as an agent's last message and its disconnection. A limit protects against
+     * agents that never stop sending.
      */
     void receiveAll() {
         receive();

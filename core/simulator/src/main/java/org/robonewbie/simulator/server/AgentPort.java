@@ -92,7 +92,7 @@ final class AgentPort implements AutoCloseable {
         channel.register(selector, SelectionKey.OP_ACCEPT, listener);
     }
 
-    /** Returns the TCP port for the agents of a team, or for all agents if no team is given; 0 if there is none. */
+    /** Returns the TCP port for a team's agents, or for all agents if no team is given; 0 if there is no such port. */
     int number(Optional<String> team) {
         return listeners.stream()
                 .filter(listener -> listener.endpoint().map(TeamEndpoint::team).equals(team))
@@ -118,7 +118,7 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    /** Makes a call to {@link #listen} that is waiting return. Thread-safe. */
+    /** Unblocks a waiting call to {@link #listen}. Thread-safe. */
     void wakeUp() {
         selector.wakeup();
     }

@@ -42,7 +42,7 @@ final class MonitorService {
     /**
      * Creates the service; {@link #open} starts it.
      *
-     * @param betweenCycles runs a task on the simulation thread, between two cycles
+     * @param betweenCycles runs a task on the simulation thread, between cycles
      * @param end ends the simulation
      */
     MonitorService(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
@@ -91,7 +91,7 @@ final class MonitorService {
         orders.execute(order);
     }
 
-    /** Refuses all commands from a view-only monitor except a request for the full state. */
+    /** Refuses all commands from a view-only monitor, except requests for the full state. */
     private void orderOfSpectator(Order order) {
         if (order instanceof Order.RequestFullState) {
             order(order);

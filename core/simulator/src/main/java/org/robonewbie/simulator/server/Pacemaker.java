@@ -29,7 +29,7 @@ final class Pacemaker {
     }
 
     /**
-     * Creates a pacemaker with a custom clock: its time in nanoseconds, and a method that blocks until a given time of
+     * Creates a pacemaker with a custom clock: its time in nanoseconds, and a method that blocks until a given time on
      * this clock.
      */
     Pacemaker(double speed, LongSupplier nanoTime, LongConsumer sleepUntil) {

@@ -29,8 +29,8 @@ import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * The main loop of a simulator. The simulation thread alone accesses the world; other threads queue commands that it executes
- * between two cycles.
+ * The main loop of a simulator. Only the simulation thread accesses the world; other threads queue commands, which it
+ * executes between cycles.
  */
 final class Simulation implements SimulationControl, Runnable {
 
@@ -226,7 +226,7 @@ final class Simulation implements SimulationControl, Runnable {
         return (awaited == 0 || speakingAgents() >= awaited) && isAnswered();
     }
 
-    /** Counts the agents that have sent a message; those beyond the limit of a team endpoint do not count. */
+    /** Counts the agents that have sent a message, excluding those beyond the limit of a team endpoint. */
     private long speakingAgents() {
         long count = cycle.speakingAgents(Optional.empty());
         for (TeamEndpoint endpoint : settings.agents().endpoints()) {

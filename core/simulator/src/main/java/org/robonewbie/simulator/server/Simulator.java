@@ -67,10 +67,11 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
-     * Counts the robots whose agents connected through a team's endpoint. Call it from an observer, on the simulation thread.
+     * Counts the robots whose agents connected through a team's endpoint. Call this from an observer, on the simulation
+     * thread.
      *
      * @param team the team
-     * @return the number of robots on or beside the pitch
+     * @return the number of robots on the pitch or beside it
      */
     public int robotsOf(String team) {
         return simulation.robotsOf(team);
@@ -86,7 +87,7 @@ public final class Simulator implements AutoCloseable {
         return simulation.wasSilent(team);
     }
 
-    /** {@return the TCP port for monitors; empty if the settings open none} */
+    /** {@return the TCP port for monitors; empty if there is none} */
     public OptionalInt monitorPort() {
         return simulation.monitors().portNumber();
     }

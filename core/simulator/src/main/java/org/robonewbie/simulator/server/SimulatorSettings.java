@@ -60,8 +60,8 @@ public record SimulatorSettings(
     /**
      * Settings for monitor connections.
      *
-     * @param port TCP port for monitors and trainers, 0 for any free port; empty to open none
-     * @param stepSeconds simulated seconds between two messages to monitors, at least 0.02
+     * @param port TCP port for monitors and trainers, 0 for any free port; empty for no port
+     * @param stepSeconds simulated seconds between messages to monitors, at least 0.02
      * @param trainers whether monitors may change the world
      * @param log file for a log that RoboViz can replay
      */
@@ -81,7 +81,7 @@ public record SimulatorSettings(
     public record Output(Optional<Path> recording, Optional<Path> report) {}
 
     /**
-     * Returns the default settings for a world: agents connect to port 3100 of this computer, in real time, without monitors.
+     * Returns the default settings for a world: agent port 3100 on this computer, real time, no monitors.
      *
      * @param world the world to simulate
      * @return the settings

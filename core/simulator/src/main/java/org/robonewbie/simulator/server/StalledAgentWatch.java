@@ -11,9 +11,9 @@ import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
  * Reports agents that block sync mode and disconnects those in other processes after a timeout. The timeout for a new
- * agent, which has answered for less than a simulated second, is about a third of the normal timeout. Whenever a new
- * agent is disconnected, this shorter timeout is halved, so that a client that reconnects repeatedly delays the other
- * agents only briefly.
+ * agent, which has been responding for less than a simulated second, is about a third of the normal timeout. Whenever a
+ * new agent is disconnected, this shorter timeout is halved. A client that reconnects repeatedly therefore delays the
+ * other agents only briefly.
  */
 final class StalledAgentWatch {
 
@@ -67,7 +67,7 @@ final class StalledAgentWatch {
         }
     }
 
-    /** Returns the teams with an endpoint that have had an agent disconnected. Thread-safe. */
+    /** Returns the teams that have an endpoint and have had an agent disconnected. Thread-safe. */
     Set<String> silentTeams() {
         return silentTeams;
     }

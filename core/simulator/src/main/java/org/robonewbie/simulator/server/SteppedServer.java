@@ -37,7 +37,7 @@ public final class SteppedServer implements AutoCloseable {
      *
      * @param settings the world to simulate; should be synchronous
      * @param console output for messages to the user
-     * @return the server, before its first cycle
+     * @return the server, which has not run a cycle yet
      * @throws IOException if no port can be opened
      */
     public static SteppedServer start(WorldSettings settings, Console console) throws IOException {
@@ -66,7 +66,7 @@ public final class SteppedServer implements AutoCloseable {
         return link;
     }
 
-    /** Waits until each agent has sent an answer ending with {@code (syn)}, then runs one cycle. */
+    /** Waits until each agent has sent a message ending with {@code (syn)}, then runs one cycle. */
     public void cycle() {
         listen(0);
         while (!simulator.isReady()) {

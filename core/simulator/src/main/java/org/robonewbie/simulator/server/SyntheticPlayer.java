@@ -14,7 +14,7 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 /**
  * A synthetic client for warm-ups and load tests. It joins over TCP, beams to its position in a grid before kick-off, and
- * then moves in a fixed pattern and says a message in every third cycle until the server closes the connection.
+ * then moves in a fixed pattern and says a message every third cycle until the server closes the connection.
  */
 public abstract class SyntheticPlayer implements Runnable {
 
@@ -30,7 +30,7 @@ public abstract class SyntheticPlayer implements Runnable {
     private final EffectorMessageWriter writer = new EffectorMessageWriter(message);
 
     /**
-     * Connects a player; {@link #run} lets it play.
+     * Connects a player; call {@link #run} to play.
      *
      * @param port agent port on this computer
      * @param index index among all players, which alternate between two teams
@@ -110,9 +110,9 @@ public abstract class SyntheticPlayer implements Runnable {
     protected void received(MessageBuffer perceptors) {}
 
     /**
-     * Returns whether the match has not started yet, so that the player still beams to its position.
+     * Returns whether the match has not started yet, so the player must still beam to its position.
      *
-     * @param seconds simulated seconds since it joined
+     * @param seconds simulated seconds since the player joined
      * @return whether to beam instead of moving
      */
     protected abstract boolean isBeforeKickOff(double seconds);
@@ -121,7 +121,7 @@ public abstract class SyntheticPlayer implements Runnable {
      * Writes the motor speeds of a cycle.
      *
      * @param commands receives the speeds
-     * @param seconds simulated seconds since it joined
+     * @param seconds simulated seconds since the player joined
      */
     protected abstract void move(EffectorMessageWriter commands, double seconds);
 }

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.cycle.ServerLink;
 /** The simulator's end of an agent's connection over TCP or a Unix domain socket. */
 final class TcpServerLink implements ServerLink {
 
-    /** Maximum message length in bytes, about a hundred times as much as a robot needs. */
+    /** Maximum message length in bytes, about a hundred times what a robot needs. */
     static final int MAX_LENGTH = 1 << 18;
 
     private final SocketChannel channel;
@@ -107,7 +107,7 @@ final class TcpServerLink implements ServerLink {
             try {
                 channel.close();
             } catch (IOException e) {
-                // The connection is abandoned anyway.
+                // The connection is being abandoned anyway.
             }
         }
     }

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.physics.Crew;
 
 /**
  * A pool of threads for data-parallel loops. The calling thread and the helper threads, which sleep between loops, take
- * iterations dynamically, so that a helper that wakes up late causes no delay.
+ * iterations dynamically, so a helper that wakes up late causes no delay.
  *
  * <pre>{@code
  * try (ThreadCrew crew = new ThreadCrew(2)) {

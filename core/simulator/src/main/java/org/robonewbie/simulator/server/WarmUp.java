@@ -12,7 +12,7 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * A JIT warm-up for simulators that must keep up with real time from their first cycle on: a short hidden match at full
+ * A JIT warm-up for simulators that must keep up with real time from the first cycle: a short hidden match at full
  * speed. Its players swing their legs and fall over each other, so that the code paths of a real match are compiled.
  *
  * <pre>{@code

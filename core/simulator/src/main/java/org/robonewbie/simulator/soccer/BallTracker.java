@@ -87,7 +87,7 @@ final class BallTracker implements Memory {
         return onField;
     }
 
-    /** Returns the side of the goal that contains the ball; empty if none does. */
+    /** Returns the side of the goal that contains the ball; empty if neither does. */
     Optional<TeamSide> goal() {
         for (TeamSide side : TeamSide.values()) {
             if (world.isBallInGoal(side) || hasCrossedGoalLine(side)) {

@@ -129,7 +129,7 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** Returns whether keep-away is played and the player belongs to the right team, which is never punished for charging. */
+    /** Returns whether keep-away is being played and the player belongs to the right team, which is never punished for charging. */
     private boolean isKeepawayHunter(Player player) {
         return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }

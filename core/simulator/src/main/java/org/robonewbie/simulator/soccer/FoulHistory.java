@@ -9,7 +9,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** State that the foul rules keep for one player. Times are in ticks of 20 ms. */
+/** State of the foul rules for one player. Times are in ticks of 20 ms. */
 final class FoulHistory implements Memory {
 
     /** Tick in the distant past. */
@@ -151,7 +151,7 @@ final class FoulHistory implements Memory {
         return tick < frozenUntil[hinge];
     }
 
-    /** Freezes a hinge unless it is frozen or immune; returns whether it did. */
+    /** Freezes a hinge; returns false if it is already frozen or immune. */
     boolean freeze(int hinge, long tick, long ticksFrozen, long ticksImmune) {
         if (tick < immuneUntil[hinge]) {
             return false;

@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
-/** Rule for one type of foul. */
+/** Rule against one type of foul. */
 interface FoulRule extends Memory {
 
     /** Detects fouls in this tick and reports them to the referee. */

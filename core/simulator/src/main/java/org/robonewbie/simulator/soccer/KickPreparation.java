@@ -41,7 +41,7 @@ final class KickPreparation {
         return limit > 0 && match.state().modeSeconds() > limit;
     }
 
-    /** Drops the ball if the time limit for the kick has expired; returns whether it did. */
+    /** Drops the ball if the time limit for the kick has expired; returns whether the ball was dropped. */
     boolean dropIfLate(Vector3 spot) {
         boolean late = isLate(match);
         if (late) {

@@ -148,7 +148,7 @@ public final class Match implements Restorable {
         dropBall(ball.position());
     }
 
-    /** Resets score, clock and ball, and frees the names of teams without players. */
+    /** Resets the score, the clock and the ball, and frees the names of teams without players. */
     public void restart() {
         state.restart();
         teams.removeEmpty();
@@ -161,7 +161,7 @@ public final class Match implements Restorable {
     }
 
     /**
-     * Replaces the robot of a player.
+     * Replaces a player's robot.
      *
      * @param old the player
      * @param robot the new robot
@@ -187,15 +187,15 @@ public final class Match implements Restorable {
     }
 
     /**
-     * {@return the latest fouls in chronological order, unmodifiable; a penalty is listed once for each cycle that it
-     * lasts}
+     * {@return the latest fouls in chronological order, unmodifiable; a penalty is listed once per cycle of its
+     * duration}
      */
     public List<Foul> fouls() {
         return referee.fouls();
     }
 
     /**
-     * Requests pass mode for a player's team. Does nothing unless all conditions for pass mode hold.
+     * Requests pass mode for a player's team. Has no effect unless all conditions for pass mode are met.
      *
      * @param player the requesting player
      */

@@ -41,7 +41,7 @@ public final class MatchState {
     }
 
     /**
-     * Returns the goals of a team.
+     * Returns the number of goals that a team has scored.
      *
      * @param side side of the team
      * @return number of goals

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Component of the referee whose state is saved; stateless by default. */
+/** Component of the referee with state to save; stateless by default. */
 interface Memory {
 
     default void save(StateWriter out, Roster roster) {}

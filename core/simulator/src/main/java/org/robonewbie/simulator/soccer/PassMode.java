@@ -29,7 +29,7 @@ final class PassMode implements Memory {
         this.side = side;
     }
 
-    /** Starts pass mode for a player's team if all its conditions hold. */
+    /** Starts pass mode for a player's team if all conditions for it are met. */
     void request(Player player) {
         if (isPossible() && Referee.flatDistance(player, ball()) <= get(SoccerParameter.PASS_MODE_MAX_BALL_DISTANCE)) {
             match.setPlayMode(PlayModeRules.of(side, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT));

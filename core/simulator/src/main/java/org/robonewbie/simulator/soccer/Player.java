@@ -45,7 +45,7 @@ public final class Player {
         return number;
     }
 
-    /** {@return the robot of the player} */
+    /** {@return the player's robot} */
     public Robot robot() {
         if (robot == null) {
             throw new IllegalStateException(this + " has left the game");

@@ -56,7 +56,7 @@ final class Referee implements Memory {
         }
     }
 
-    /** Returns the latest fouls in chronological order; a penalty is listed once for each tick that it lasts. */
+    /** Returns the latest fouls in chronological order; a penalty is listed once per tick of its duration. */
     List<Foul> fouls() {
         return Collections.unmodifiableList(fouls);
     }

@@ -26,7 +26,7 @@ final class Repositioning {
         this.agentRadius = match.parameters().get(SoccerParameter.AGENT_RADIUS);
     }
 
-    /** Moves the robots of a team out of a circle. */
+    /** Moves a team's robots out of a circle. */
     void clearCircle(TeamSide side, Vector3 centre, double radius, double moveDistance) {
         for (Player player : match.players(side)) {
             if (player.isWithin(radius, centre)) {
@@ -35,7 +35,7 @@ final class Repositioning {
         }
     }
 
-    /** Moves the robots of a team out of a rectangle, towards their own goal. */
+    /** Moves a team's robots out of a rectangle, towards their own goal. */
     void clearArea(TeamSide side, Area area, double moveDistance) {
         double x = side == TeamSide.LEFT ? area.minX() - moveDistance : area.maxX() + moveDistance;
         for (Player player : match.players(side)) {
@@ -46,7 +46,7 @@ final class Repositioning {
         }
     }
 
-    /** Moves the robots of a team that are too close to a point radially away from it. */
+    /** Moves a team's robots radially away from a point if they are too close to it. */
     void pushAway(TeamSide side, Vector3 centre, double within, double distance) {
         for (Player player : match.players(side)) {
             Vector3 position = player.position();

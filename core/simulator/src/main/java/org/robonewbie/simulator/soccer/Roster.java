@@ -11,8 +11,9 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * Index of players, used to save and restore references to them. Players on the pitch come first. Players that have left
- * but are still referenced, for example by the last touch of the ball, are appended with their team and number.
+ * Indexes players, so that references to them can be saved and restored. Players on the pitch come first. Players that
+ * have left but are still referenced, for example by the last touch of the ball, are appended with their team and
+ * number.
  */
 final class Roster {
 

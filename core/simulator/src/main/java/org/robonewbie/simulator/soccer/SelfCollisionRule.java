@@ -12,7 +12,7 @@ import org.robonewbie.nao.model.Shape;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.Robot;
 
-/** Self-collision foul: the limbs of a robot that collide with each other are frozen for a short time. */
+/** Self-collision foul: limbs of the same robot that collide with each other are frozen for a short time. */
 final class SelfCollisionRule implements FoulRule {
 
     private static final Set<String> ALLOWED = Set.of(
@@ -92,7 +92,7 @@ final class SelfCollisionRule implements FoulRule {
         return firstFrozen || secondFrozen;
     }
 
-    /** Freezes all hinges of the limb to which a link belongs; the torso belongs to no limb. */
+    /** Freezes all hinges of a link's limb; the torso does not belong to a limb. */
     private boolean freeze(Player player, int link) {
         NaoModel model = player.robot().model();
         String limb = limb(model.links().get(link).name());

@@ -62,7 +62,7 @@ public enum SoccerParameter {
     AUTOMATIC_QUIT("AutomaticQuit", false, false, "whether the simulator exits ten seconds after the match"),
     /** Whether the teams change sides at half-time. */
     CHANGE_SIDES_IN_SECOND_HALF("ChangeSidesInSecondHalf", false, false, "whether the teams change sides at half-time"),
-    /** Whether keep-away is played instead of soccer. */
+    /** Whether the game is keep-away instead of soccer. */
     KEEPAWAY("Keepaway", false, false, "whether the left team only has to keep the ball inside a shrinking area"),
     /** The x coordinate of the centre of the keep-away area. */
     KEEPAWAY_CENTER_X("KeepawayCenterX", 0, 0, "metres"),
@@ -117,12 +117,12 @@ public enum SoccerParameter {
             "ChargingMinDeltaDist", 0.05, 0.05, "metres by which one robot is farther from the ball"),
     /** Charging: minimum difference between the angles at which the robots approach each other. */
     CHARGING_MIN_DELTA_ANGLE("ChargingMinDeltaAng", 15, 15, "degrees"),
-    /** Time of immunity from charging after a touch of the ball. */
+    /** Duration of immunity from charging after a touch of the ball. */
     CHARGING_IMMUNITY_TIME("ChargingImmunityTime", 1, 1, "seconds of immunity after a touch of the ball"),
-    /** Charging: time without contact after which a contact is a new collision. */
+    /** Charging: time without contact after which a contact counts as a new collision. */
     CHARGING_COLLISION_MIN_TIME("ChargingCollisionMinTime", 0.2, 0.2, "seconds without contact before a new collision"),
     /**
-     * Charging: distance up to which a robot counts as near the ball; if both robots are farther away, the ball is
+     * Charging: maximum distance at which a robot counts as near the ball; if both robots are farther away, the ball is
      * ignored.
      */
     CHARGING_MAX_BALL_RULES_DISTANCE("ChargingMaxBallRulesDist", 1, 1, "maximum metres to the ball for the ball rules"),
@@ -136,9 +136,9 @@ public enum SoccerParameter {
     PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether the console reports self-collisions"),
     /** Whether a self-collision is a foul. */
     FOUL_ON_SELF_COLLISIONS("FoulOnSelfCollisions", true, false, "whether a self-collision is a foul"),
-    /** Time for which joints are frozen after a self-collision. */
+    /** Duration for which joints are frozen after a self-collision. */
     SELF_COLLISION_JOINT_FROZEN_TIME("SelfCollisionJointFrozenTime", 1, 1, "seconds for which the joints are frozen"),
-    /** Time for which joints are immune after being frozen. */
+    /** Duration for which joints are immune after being frozen. */
     SELF_COLLISION_JOINT_THAW_TIME("SelfCollisionJointThawTime", 2, 2, "seconds until the joints can be frozen again"),
     /** Whether a self-collision is penalised by removal from the pitch. */
     SELF_COLLISION_BEAM_PENALTY(
@@ -153,9 +153,9 @@ public enum SoccerParameter {
     NOT_STANDING_MAX_TIME("NotStandingMaxTime", 30, 1e9, "seconds"),
     /** Time limit for a goalkeeper that is not standing. */
     GOALIE_NOT_STANDING_MAX_TIME("GoalieNotStandingMaxTime", 60, 1e9, "seconds"),
-    /** Time limit for a robot that lies on the ground. */
+    /** Time limit for a robot that is lying on the ground. */
     GROUND_MAX_TIME("GroundMaxTime", 15, 1e9, "seconds"),
-    /** Time limit for a goalkeeper that lies on the ground. */
+    /** Time limit for a goalkeeper that is lying on the ground. */
     GOALIE_GROUND_MAX_TIME("GoalieGroundMaxTime", 30, 1e9, "seconds"),
     /** Maximum number of defenders in their own penalty area. */
     MAX_PLAYERS_INSIDE_OWN_AREA(
@@ -169,7 +169,7 @@ public enum SoccerParameter {
     MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that a team's second robot must keep from the ball"),
     /** Crowding: distance that a team's third robot must keep from the ball. */
     MIN_THIRD_PLAYER_DISTANCE("Min3PlDistance", 0, 0, "metres that a team's third robot must keep from the ball"),
-    /** Time for which a punished robot is held in the air. */
+    /** Duration for which a punished robot is held in the air. */
     FOUL_HOLD_TIME("FoulHoldTime", 0.5, 0.5, "seconds for which a punished robot is held in the air"),
     /** Whether perceptor messages contain the score. */
     REPORT_SCORE("ReportScore", true, true, "whether agents receive the score"),
@@ -196,7 +196,7 @@ public enum SoccerParameter {
     PASS_MODE_RETRY_WAIT_TIME("PassModeRetryWaitTime", 3, 3, "seconds"),
     /** Whether the rules for indirect kicks and double touches apply; they always do in rcssserver3d. */
     FREE_KICK_RULES("FreeKickRules", true, false, "whether the rules for indirect kicks and double touches apply"),
-    /** Time during which a new robot may be beamed during play; not in rcssserver3d. */
+    /** Period after joining in which a robot may be beamed during play; not in rcssserver3d. */
     BEAM_GRACE_TIME("BeamGraceTime", 0, 2, "seconds after joining in which a robot may be beamed in any play mode");
 
     private final String simSparkName;

@@ -130,7 +130,7 @@ public final class SoccerParameters {
         return assignments;
     }
 
-    /** {@return a help text with one line per parameter: name, league value, beginners' value, description} */
+    /** {@return one line of help per parameter: name, league value, beginners' value, description} */
     public static List<String> describe() {
         return Arrays.stream(SoccerParameter.values())
                 .map(parameter -> String.format(
@@ -175,7 +175,7 @@ public final class SoccerParameters {
                 return value;
             }
         } catch (NumberFormatException e) {
-            // Reported below, like values that are not finite.
+            // Reported below, as are values that are not finite.
         }
         throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
                 + " is not a number. Write, for example, " + parameter.simSparkName() + "="

@@ -18,7 +18,7 @@ final class Spots {
         return at(match, out.x(), Math.copySign(sideLine(match), out.y()));
     }
 
-    /** Returns the spot for a corner kick, halfway between goal post and corner flag. */
+    /** Returns the spot for a corner kick, halfway between the goal post and the corner flag. */
     static Vector3 corner(Match match, TeamSide attackers) {
         SoccerField field = match.field();
         double x = field.length() / 2 - match.ball().radius();

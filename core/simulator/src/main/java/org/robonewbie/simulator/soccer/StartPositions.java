@@ -15,7 +15,7 @@ public final class StartPositions {
     private double y;
 
     /**
-     * Creates the positions of a team.
+     * Creates the start positions for a team.
      *
      * @param side side of the team
      * @param parameters size of the pitch and radius of a robot

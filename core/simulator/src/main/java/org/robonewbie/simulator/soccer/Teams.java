@@ -49,7 +49,7 @@ public final class Teams {
     }
 
     /**
-     * Returns the name of a team.
+     * Returns a team's name.
      *
      * @param side half that the team defends
      * @return the name; empty before its first player joins
@@ -82,7 +82,7 @@ public final class Teams {
     }
 
     /**
-     * Adds a robot to a team and moves it to its start position beside the side line.
+     * Adds a robot to a team and moves it to its start position next to the side line.
      *
      * @param name team name
      * @param number requested number; 0 for the lowest free one

@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.RobotContact;
 
-/** Touching foul: limits the size of a group of robots in contact and removes an offender from it. */
+/** Touching foul: limits the size of a group of robots in contact and removes an offender from the group. */
 final class TouchingRule implements FoulRule {
 
     private final Match match;
@@ -31,7 +31,7 @@ final class TouchingRule implements FoulRule {
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 
-    /** Returns the groups of players in contact, directly or through others, in the order of the contacts. */
+    /** Returns the groups of players that are in contact, directly or through others, in the order of the contacts. */
     private List<Set<Player>> groups() {
         List<Set<Player>> groups = new ArrayList<>();
         for (RobotContact contact : match.robotContacts()) {

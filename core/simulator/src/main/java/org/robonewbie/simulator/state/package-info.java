@@ -1,5 +1,5 @@
 /**
- * World states that can be kept in memory or in a file and restored bit-identically, and the random sources that are part of
+ * World states that can be kept in memory or in a file and restored bit-identically, and the random sources that belong to
  * them. Read {@link org.robonewbie.simulator.state.WorldState} first.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.

@@ -17,7 +17,7 @@ import org.robonewbie.simulator.physics.RigidBody;
  *
  * <p>The reading is the total contact force and its centre: the mean of the contact points as detected before the step,
  * weighted by the magnitude of their forces, in the frame of the foot after the step. Contacts between sleeping bodies
- * have no force, so the sensor repeats the last reading.
+ * have no force, so the sensor repeats its last reading.
  */
 final class FootPlate implements Restorable {
 

@@ -39,7 +39,7 @@ public final class PlacedThings {
         return landscape;
     }
 
-    /** {@return the objects at their current poses, in the order in which the landscape lists them} */
+    /** {@return the objects at their current poses, in the order of the landscape} */
     public List<Thing> now() {
         List<Thing> things = new ArrayList<>();
         for (int i = 0; i < bodies.size(); i++) {
@@ -62,7 +62,7 @@ public final class PlacedThings {
     }
 
     /**
-     * Sets the pose and velocity of an object. Does nothing for a static one.
+     * Sets the pose and velocity of an object. Has no effect on a static object.
      *
      * @param index index in the landscape
      * @param motion new pose and velocity

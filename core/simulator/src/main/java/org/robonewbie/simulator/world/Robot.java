@@ -25,8 +25,8 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 /**
  * Simulated robot body with motors, inertial sensors and force sensors.
  *
- * <p>Frames are SimSpark's: in the frame of a link, x points to the right of the robot, y forward, z up. Indices of
- * hinges and links are those of {@link NaoModel}.
+ * <p>Frames are SimSpark's: in the frame of a link, x points to the robot's right, y forward, z up. Indices of hinges
+ * and links are those of {@link NaoModel}.
  *
  * <pre>{@code
  * robot.setMotorSpeed(Joint.LEFT_KNEE_PITCH, -1.0);
@@ -218,7 +218,7 @@ public final class Robot {
     }
 
     /**
-     * Sets the poses and velocities of all links and wakes them. All motors hold until the next command.
+     * Sets the poses and velocities of all links and wakes them. All motors hold their angles until the next command.
      *
      * @param links one motion per link of the {@link #model}, consistent with its joints
      */
@@ -257,7 +257,7 @@ public final class Robot {
     }
 
     /**
-     * Beams the robot in the next step. The last call before the step wins.
+     * Beams the robot in the next step. The last call before the step takes precedence.
      *
      * <p>Like {@link #moveUpright}, but deferred as in rcssserver3d: the accelerometer of that step still measures the previous
      * motion.
@@ -328,7 +328,7 @@ public final class Robot {
         }
     }
 
-    /** Resets the robot to its initial pose, because its links have been torn apart. */
+    /** Resets the robot to its initial pose after its links have been torn apart. */
     private void rebuild() {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).setRotation(RotationMatrix.IDENTITY);

@@ -174,8 +174,8 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Restores a saved state. The robots before the first one whose type differs from that in the state remain the same
-     * objects; the rest are removed, and missing ones are added.
+     * Restores a saved state. Existing robots are kept up to the first one whose type differs from the saved type; the
+     * rest are removed, and missing robots are added.
      *
      * @param state the state of a world with the same settings
      * @throws IllegalArgumentException if the settings differ; the message describes the difference

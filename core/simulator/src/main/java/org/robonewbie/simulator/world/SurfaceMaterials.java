@@ -7,7 +7,7 @@ import org.robonewbie.simulator.physics.Material.Bounce;
 
 /**
  * Surface materials with the effective values of rcssserver3d 0.7.3, in which some lines of the scene files fail
- * silently. Only the material of movable objects is not SimSpark's.
+ * silently. All materials except that of movable objects are SimSpark's.
  */
 final class SurfaceMaterials {
 

@@ -7,7 +7,7 @@ import java.util.function.LongSupplier;
 
 /**
  * Shows the progress of a batch in one line: a progress bar, the number of finished jobs, their rate and the remaining time. On
- * a terminal the line is updated in place; elsewhere a new line is printed once a minute.
+ * a terminal, the line is updated in place; elsewhere, a new line is printed once a minute.
  *
  * <pre>{@code
  * BatchProgress progress = BatchProgress.of("trials", 400, 0);
@@ -40,7 +40,7 @@ public final class BatchProgress implements AutoCloseable {
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
-     * @param known number of jobs that an earlier run has already finished
+     * @param known number of jobs finished by earlier runs
      * @param terminal whether the output is a terminal
      * @param out the output
      * @param nanoseconds a clock that returns nanoseconds
@@ -62,11 +62,11 @@ public final class BatchProgress implements AutoCloseable {
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
-     * @param known number of jobs that an earlier run has already finished
+     * @param known number of jobs finished by earlier runs
      * @return the progress display
      */
     @SuppressWarnings(
-            "SystemConsoleNull") // System.console() is never null in Java 22 to 24: a log is updated in place too
+            "SystemConsoleNull") // System.console() is never null in Java 22 to 24, so logs are updated in place too
     public static BatchProgress of(String unit, int total, int known) {
         return new BatchProgress(unit, total, known, System.console() != null, System.err, System::nanoTime);
     }
@@ -74,7 +74,7 @@ public final class BatchProgress implements AutoCloseable {
     /**
      * Counts a finished job.
      *
-     * @param hasFailed whether it failed
+     * @param hasFailed whether the job failed
      */
     public synchronized void advance(boolean hasFailed) {
         done++;

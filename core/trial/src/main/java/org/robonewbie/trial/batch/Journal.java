@@ -34,11 +34,11 @@ public final class Journal implements AutoCloseable {
     }
 
     /**
-     * Opens a journal, keeping the results that it already contains if they belong to the same run.
+     * Opens a journal and keeps existing results of the same run.
      *
      * @param file the file, which is created if it does not exist
-     * @param header one line that identifies the run, with all options on which a result depends; empty if another file
-     *     identifies it
+     * @param header one line that identifies the run, with all options on which a result depends; empty if the run is
+     *     identified by another file
      * @return the journal
      * @throws IOException if the file cannot be read or written
      * @throws IllegalArgumentException if it belongs to another run; the message says what to do

@@ -17,7 +17,7 @@ public final class OfferedClass {
      * @param classes the class loader
      * @param <T> type of the service
      * @return the class; empty if there is no provider with this name
-     * @throws IllegalArgumentException if a provider cannot be loaded; the message names it
+     * @throws IllegalArgumentException if a provider cannot be loaded; the message contains its name
      */
     public static <T> Optional<Class<? extends T>> find(Class<T> type, String simpleName, ClassLoader classes) {
         try {

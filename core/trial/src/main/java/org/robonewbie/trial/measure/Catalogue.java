@@ -28,7 +28,7 @@ public final class Catalogue<T> {
     /**
      * Creates a registry.
      *
-     * @param kind what the factories create, as named in messages, such as {@code measure}
+     * @param kind word for the created objects in messages, such as {@code measure}
      * @param type type of the created objects
      * @param all the framework's factories by name
      */
@@ -41,7 +41,7 @@ public final class Catalogue<T> {
     /**
      * Looks up a factory.
      *
-     * @param name a registered name, the simple name of a class that a jar provides, or the full name of a class with a public
+     * @param name a registered name, the simple name of a class provided by a jar, or the full name of a class with a public
      *     no-arg constructor
      * @param classes the class loader
      * @return the factory

@@ -5,7 +5,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * The distance that the ball covers along the robot's initial heading, in metres, including the estimated distance that it
- * still has to roll.
+ * has yet to roll.
  */
 public final class KickDistance extends MeasureFromStart {
 

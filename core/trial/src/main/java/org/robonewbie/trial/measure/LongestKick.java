@@ -34,7 +34,7 @@ public final class LongestKick extends MeasureFromStart {
         }
     }
 
-    /** Returns whether the referee takes the ball because it has left the pitch or entered a goal. */
+    /** Returns whether the referee removes the ball because it has left the pitch or entered a goal. */
     private static boolean isTakenByReferee(WorldState state) {
         return switch (state.playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> false;

@@ -8,7 +8,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Pushes against the first robot in random directions, each lasting 0.1 s. The same seed gives the same pushes. */
+/** Pushes the first robot in random directions for 0.1 s each. The same seed gives the same pushes. */
 public final class Pushes implements TrialHook {
 
     private static final int CYCLES_PER_PUSH = 5;
@@ -30,8 +30,8 @@ public final class Pushes implements TrialHook {
      * Creates pushes whose force increases linearly.
      *
      * @param seed seed of the directions
-     * @param cyclesBetween cycles from one push to the next
-     * @param stepNewtons force of the first push, and increase from each push to the next
+     * @param cyclesBetween number of cycles from one push to the next
+     * @param stepNewtons force of the first push, and the increase from each push to the next
      * @return the pushes
      */
     public static Pushes growing(long seed, int cyclesBetween, double stepNewtons) {

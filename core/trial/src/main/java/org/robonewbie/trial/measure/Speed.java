@@ -2,7 +2,7 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** The mean speed of the robot along its initial heading, in metres per second. Time after a fall counts too. */
+/** The mean speed of the robot along its initial heading, in metres per second. The time after a fall is included. */
 public final class Speed extends MeasureFromStart {
 
     private final Distance distance = new Distance();

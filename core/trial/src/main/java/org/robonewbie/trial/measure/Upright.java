@@ -2,7 +2,7 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** The mean tilt of the torso in degrees. After a fall, the tilt counts as 90 degrees. */
+/** The mean tilt of the torso in degrees. After a fall, the tilt is taken to be 90 degrees. */
 public final class Upright extends MeasureFromStart {
 
     private static final double FALLEN_DEGREES = 90;

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
-/** A real-time view of a trial that can be paused. The user cannot move the ball or the robots, because the trial is graded. */
+/** A real-time view of a trial that can be paused. The user cannot move the ball or the robots, because the trial is being graded. */
 public final class WatchedTrial implements SimulationControl, TrialListener {
 
     private static final long REPORT_MILLISECONDS = 100;
@@ -55,7 +55,7 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         return next;
     }
 
-    /** Detaches the view, so that the trial runs to its end without waiting. The last snapshot remains visible. */
+    /** Detaches the view; the trial then runs to its end without waiting. The last snapshot remains visible. */
     public void leave() {
         change(() -> over = true);
         reportStopped();

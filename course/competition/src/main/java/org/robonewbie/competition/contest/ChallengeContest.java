@@ -17,7 +17,7 @@ import org.robonewbie.trial.Challenge;
  * @param title display title
  * @param rule scoring rule, in one or two sentences
  * @param challenge supplies a new challenge for each trial
- * @param start start pose passed to the programs
+ * @param start start pose that is passed to the programs
  * @param seconds length of a trial in simulated seconds
  * @param rounds trials per team; the seed increases by one with each round
  * @param criteria columns of the table; each column breaks ties in the preceding ones

@@ -15,8 +15,8 @@ public sealed interface Contest permits ChallengeContest, JudgedContest {
     String rule();
 
     /**
-     * Returns the trials that can be planned so far. Called again whenever these trials have finished, because a contest
-     * may need further trials to break a tie.
+     * Returns the trials that can be planned so far. Called again when these trials have finished, because a contest may
+     * need further trials to break a tie.
      *
      * @param teams names of the teams
      * @param results results of the finished trials

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  * @param seconds time limit in simulated seconds
  * @param kickOff side that takes the first kick-off
  * @param ball position of the ball in the coordinates of the first entrant, in metres; empty for the centre spot
- * @param ownPlaces whether robots start where their programs beamed them, instead of at the poses of their entrants
+ * @param ownPlaces whether robots start where their programs beam them, instead of at the entrants' start poses
  */
 public record ContestTrial(
         String id,

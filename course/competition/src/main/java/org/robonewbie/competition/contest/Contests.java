@@ -25,7 +25,7 @@ public final class Contests {
 
     private Contests() {}
 
-    /** {@return the contests as they are held without options} */
+    /** {@return the contests with default options} */
     public static List<Contest> usual() {
         return all(Conditions.of(1), 3, 1, Optional.empty());
     }
@@ -36,9 +36,9 @@ public final class Contests {
      * @param conditions seeds and variations
      * @param rounds rounds of a penalty shoot-out before sudden death
      * @param players robots per team in a match, 1 to 11
-     * @param seconds length of a trial in simulated seconds, for the contests in which it can be chosen; empty for the
-     *     usual length
-     * @return the contests, those of a single robot last
+     * @param seconds length of a trial in simulated seconds, for contests with a configurable length; empty for the
+     *     default length
+     * @return the contests, with those for a single robot last
      */
     public static List<Contest> all(Conditions conditions, int rounds, int players, Optional<Double> seconds) {
         double matchSeconds = seconds.orElse(MATCH_SECONDS);

@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param title column heading
  * @param format {@link String#format} pattern, in which the number comes first, followed by a space if there is a unit
  * @param better 1 if larger values are better, -1 if smaller values are better, 0 if the column does not affect the ranking
- * @param missing value for a trial in which nothing was measured; NaN leaves the team without a total
+ * @param missing value for a trial without a measurement; with NaN, the team gets no total
  */
 public record Criterion(String figure, String title, String format, int better, double missing) {
 

@@ -6,7 +6,7 @@ public enum Ending {
     PLAYED("played to the end"),
     /** The program does not compile. */
     NOT_COMPILED("its program does not compile"),
-    /** The files of the team were refused. */
+    /** The team's files were refused. */
     REFUSED("its program was rejected"),
     /** The program did not connect a robot. */
     NOT_STARTED("no robot joined"),
@@ -20,9 +20,9 @@ public enum Ending {
     TOO_MUCH_TIME("its program exceeded the processor time limit"),
     /** The program exceeded the limit on the number of processes. */
     TOO_MANY_PROCESSES("its program exceeded the process limit"),
-    /** The program connected to the port of another team. */
+    /** The program connected to another team's port. */
     INTRUDED("its program connected to another team's port"),
-    /** The team had more robots on the pitch than a match or penalty shoot-out allows. */
+    /** The team had more robots on the pitch than is allowed in a match or penalty shoot-out. */
     TOO_MANY_ROBOTS("more robots joined than allowed");
 
     private final String sentence;

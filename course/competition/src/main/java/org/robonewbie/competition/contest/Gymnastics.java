@@ -59,7 +59,7 @@ final class Gymnastics implements Measure {
         elements = shown;
     }
 
-    /** Accumulates the robot's rotation while it stands; rotation during a fall or on the ground does not count. */
+    /** Accumulates the robot's rotation while it is standing; rotation during a fall or on the ground does not count. */
     private void watchTurn(WorldState state) {
         if (state.robot().isStanding()) {
             turn.see(state);

@@ -59,7 +59,7 @@ final class LeagueTable {
     /**
      * Creates the table of a contest.
      *
-     * @param contest contest that supplies the title and the rule
+     * @param contest contest, which supplies the title and the rule
      * @param teams all teams
      * @param fixtures results of the finished fixtures
      * @param results results of the finished trials

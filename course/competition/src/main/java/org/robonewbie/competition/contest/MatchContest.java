@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Round-robin contest of matches. A team whose program fails forfeits the match: it loses 0–3, or by more if it trailed by
- * more than three goals. If both programs fail, neither team gets points.
+ * Round-robin contest of matches. A team whose program fails forfeits the match: it loses 0–3, or by more if it was more
+ * than three goals behind. If both programs fail, neither team gets points.
  *
  * @param kind pitch, rules and number of fixtures per pair of teams
  * @param players robots per team, 1 to 11
@@ -68,7 +68,7 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
         return LeagueTable.table(this, teams, fixtures, results, team -> idsOf(pairs, team, results));
     }
 
-    /** Returns the official result; empty if both teams failed. */
+    /** Returns the official result; empty if both programs failed. */
     static Optional<Fixture> fixture(Fixture.Pair pair, TrialResult result) {
         TeamResult home = result.of(pair.home());
         TeamResult away = result.of(pair.away());

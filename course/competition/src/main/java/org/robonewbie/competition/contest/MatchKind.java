@@ -13,7 +13,7 @@ public enum MatchKind {
     /** Full teams on the league's pitch under the league's rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Each team plays every other team twice, home and away, by the league's rules,");
 
-    /** Seconds by which the simulated half is longer than the match, so that the contest, not the referee, ends the match. */
+    /** Seconds by which the simulated half is longer than the match, so that it is the contest, not the referee, that ends the match. */
     private static final double SPARE_SECONDS = 60;
 
     private static final double MAX_PLAYERS = 11;
@@ -37,7 +37,7 @@ public enum MatchKind {
         return title;
     }
 
-    /** Returns a description of the pairings, as the beginning of a sentence. */
+    /** Returns the beginning of a sentence that describes the pairings. */
     String pairing() {
         return pairing;
     }
@@ -47,7 +47,7 @@ public enum MatchKind {
         return this == LEAGUE ? league(seconds) : beginners();
     }
 
-    /** Returns whether robots start where their programs beamed them. */
+    /** Returns whether robots start where their programs beam them. */
     boolean hasOwnPlaces() {
         return this == LEAGUE;
     }
@@ -74,7 +74,7 @@ public enum MatchKind {
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
     }
 
-    /** Returns the rules of the league without the limits on robot types, so that any program can take part. */
+    /** Returns the league rules without the limits on robot types, so that any program can take part. */
     private static SoccerParameters league(double seconds) {
         return SoccerParameters.league()
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)

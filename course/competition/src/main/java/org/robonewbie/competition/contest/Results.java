@@ -8,7 +8,7 @@ import java.util.Set;
 @FunctionalInterface
 public interface Results {
 
-    /** Outcomes of programs that could not be started at all. */
+    /** Outcomes for programs that could not be started at all. */
     Set<Ending> NEVER_STARTED = Set.of(Ending.NOT_COMPILED, Ending.REFUSED);
 
     /**

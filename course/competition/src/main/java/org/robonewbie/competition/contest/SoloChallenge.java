@@ -16,7 +16,7 @@ import org.robonewbie.trial.WorldState;
  * Challenge for a single robot, scored by a measure. The ball is on the centre spot.
  *
  * @param start start pose of the robot
- * @param measure measure that also ends the trial
+ * @param measure measure, which also determines when the trial ends
  * @param hook external events that disturb the robot
  * @param results extracts the measured values from the measure
  * @param <M> type of the measure

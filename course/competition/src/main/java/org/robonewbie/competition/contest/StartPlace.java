@@ -5,7 +5,8 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Start pose of a robot in its team's coordinates: the origin is the centre spot, x points to the opponents' goal and y to the left.
+ * Start pose of a robot in its team's coordinates: the origin is the centre spot, x points towards the opponents' goal and y to the
+ * left.
  *
  * @param number number of the robot, 1 to 11
  * @param x x coordinate in metres

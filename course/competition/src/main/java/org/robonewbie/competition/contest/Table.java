@@ -25,7 +25,7 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
      * @param team name of the team
      * @param cells the text of each column
      * @param trials names of its trials
-     * @param certified whether the team gets a certificate, for which it must have played at least one trial to the end
+     * @param certified whether the team gets a certificate, which requires at least one trial played to the end
      */
     public record Row(int rank, String team, List<String> cells, List<String> trials, boolean certified) {
 

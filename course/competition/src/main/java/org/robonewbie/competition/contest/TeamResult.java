@@ -86,7 +86,7 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
     }
 
     /**
-     * Formats a value with its unit, which is the last word of its name: {@code wayMetres} with value 3 becomes
+     * Formats a value with its unit, which is the last word of the name: {@code wayMetres} with the value 3 becomes
      * {@code way 3 m}.
      */
     private static String inWords(String name, double value) {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Result of a trial. It does not depend on the computer: repeating a trial on another computer gives the same result.
+ * Result of a trial. It does not depend on the computer: repeating the trial on another computer gives the same result.
  *
  * @param id name of the trial
  * @param seed seed of all random numbers
@@ -22,7 +22,7 @@ public record TrialResult(String id, long seed, double seconds, List<TeamResult>
      * Returns a team's result.
      *
      * @param name name of a participating team
-     * @return the result of the team
+     * @return the team's result
      */
     public TeamResult of(String name) {
         return teams.stream()

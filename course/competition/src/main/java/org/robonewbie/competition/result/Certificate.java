@@ -10,7 +10,7 @@ import org.robonewbie.nao.text.Html;
  * A team's certificate, to be printed on A4 in landscape format; place, date and signature are filled in by hand.
  *
  * @param team the team
- * @param table the table of the contest
+ * @param table the contest's table
  * @param row the team's row in the table
  */
 record Certificate(TeamEntry team, Table table, Table.Row row) {

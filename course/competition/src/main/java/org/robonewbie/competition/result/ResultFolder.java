@@ -28,7 +28,7 @@ import org.robonewbie.programs.Fingerprint;
  */
 public final class ResultFolder implements Results, AutoCloseable {
 
-    /** Name of the file that is locked while a process uses the folder. */
+    /** Name of the file that is locked while a process is using the folder. */
     private static final String LOCK = "competition.lock";
 
     private final Path folder;
@@ -47,7 +47,7 @@ public final class ResultFolder implements Results, AutoCloseable {
      * @param folder the folder; created if it does not exist
      * @return the open folder
      * @throws IOException if it is not writable
-     * @throws CalledWronglyException if another process uses it
+     * @throws CalledWronglyException if another process is using it
      */
     public static ResultFolder open(Path folder) throws IOException {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
@@ -83,14 +83,14 @@ public final class ResultFolder implements Results, AutoCloseable {
      * Returns the path of a trial's recording.
      *
      * @param trialId name of the trial
-     * @return the file, which {@code robonewbie studio} can open
+     * @return the file, which can be opened with {@code robonewbie studio}
      */
     public Path recording(String trialId) {
         return folder.resolve("recordings").resolve(trialId + ".rec");
     }
 
     /**
-     * Loads the result of a trial, unless something that it depends on has changed since it was saved.
+     * Loads the result of a trial, unless something on which it depends has changed since it was saved.
      *
      * @param trialId name of the trial
      * @param circumstances checksum of everything that the result depends on
@@ -127,7 +127,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns the checksum that a recording had at the end of its trial.
+     * Returns the checksum of a recording as it was at the end of the trial.
      *
      * @param trialId name of the trial
      * @return the SHA-256; empty if the trial was not recorded
@@ -139,7 +139,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Detects files that other programs modified during the contest, and restores the results.
+     * Detects files that were modified by other programs during the contest, and restores the results.
      *
      * @return one sentence per modified file
      * @throws IOException if a file cannot be read or written

@@ -37,7 +37,7 @@ public final class TableFiles {
      * Writes all files.
      *
      * @param table the table
-     * @param seed the seed of the contest
+     * @param seed the contest's seed
      * @param notes notes on how the contest was run
      * @throws IOException if a file cannot be written
      */

@@ -18,7 +18,7 @@ final class TrialJson {
 
     private TrialJson() {}
 
-    /** A finished trial with the checksum of everything that it depends on. */
+    /** A finished trial with the checksum of everything on which it depends. */
     private record Finished(
             String trial,
             String circumstances,

@@ -7,9 +7,10 @@ import org.robonewbie.competition.contest.Role;
 /**
  * A team's entry in a contest.
  *
- * @param name name of the team, at most 20 ASCII letters, digits and underscores; the title may contain any letters
- * @param program its program, given as a folder, a jar, a Java file, the name of a class, or a command
- * @param settings its settings by name, see {@link TeamList}
+ * @param name name of the team, at most 20 ASCII letters, digits and underscores; the title may contain letters of any
+ *     language
+ * @param program the team's program, given as a folder, a jar, a Java file, a class name, or a command
+ * @param settings the team's settings by name; see {@link TeamList}
  */
 public record TeamEntry(String name, String program, Map<String, String> settings) {
 
@@ -38,7 +39,7 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         return settings.getOrDefault(TeamList.TOGETHER, "no").equals("yes");
     }
 
-    /** Returns the main class that is set for a role, or else the one that is set for all roles. */
+    /** Returns the main class configured for a role, or else the one configured for all roles. */
     Optional<String> mainClass(Role role) {
         return Optional.ofNullable(settings.get(role.key()))
                 .or(() -> Optional.ofNullable(settings.get(Role.MAIN.key())));

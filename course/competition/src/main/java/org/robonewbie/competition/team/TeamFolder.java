@@ -17,7 +17,7 @@ public final class TeamFolder {
      * Returns a team's submission.
      *
      * @param folder the folder, or a single file
-     * @param foreign folders to ignore, even inside {@code folder}: the results of the contest, other teams
+     * @param foreign folders to ignore, even inside {@code folder}: the contest's results and other teams' folders
      */
     static SubmittedFolder of(Path folder, Collection<Path> foreign) {
         return new SubmittedFolder(folder, place -> isIgnored(place) || foreign.contains(absolute(place)));

@@ -27,7 +27,7 @@ import org.robonewbie.programs.CalledWronglyException;
  * Green = python3 green.py --port {port}
  * </pre>
  *
- * <p>A line without a name is a program. The team is named after its file or its first word.
+ * <p>A line without a name is a program, and the team is named after the program's file or first word.
  */
 public final class TeamList {
 
@@ -49,7 +49,7 @@ public final class TeamList {
      */
     private static final Pattern COMMAND = Pattern.compile("[^=]*|[^\\s=-][^\\s=]*(\\s[^=]*)?\\s-[^\\s=]*=.*");
 
-    /** Settings that are only printed, so they may contain any character. */
+    /** Settings that may contain any character, because they are only printed. */
     private static final Set<String> FREE_TEXTS = Set.of(TITLE, MEMBERS);
 
     private final Map<TeamName, String> programs = new LinkedHashMap<>();
@@ -82,7 +82,7 @@ public final class TeamList {
      * Parses teams.
      *
      * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or just a program, which then also determines
-     *     the name of the team
+     *     the team's name
      * @return the teams in the order of the lines
      * @throws CalledWronglyException if a line cannot be parsed; the message says what to do
      */

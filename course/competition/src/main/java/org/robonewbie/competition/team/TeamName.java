@@ -23,7 +23,7 @@ record TeamName(String written, String ascii) {
     private static final Pattern OF_WINDOWS =
             Pattern.compile("con|prn|aux|nul|com[0-9]|lpt[0-9]", Pattern.CASE_INSENSITIVE);
 
-    /** Letters that are transliterated by more than removing an accent, each followed by its transliteration. */
+    /** Letters for which removing an accent is not enough, each followed by its transliteration. */
     private static final String[] SPELLINGS = ("ä ae ö oe ü ue ß ss æ ae œ oe ø o đ d ð d ł l þ th ı i ħ h"
                     + " а a б b в v г g д d е e ё e ж zh з z и i й y к k л l м m н n о o п p р r с s т t у u ф f х kh ц ts"
                     + " ч ch ш sh щ shch ъ _ ы y ь _ э e ю yu я ya і i ї yi є ye ґ g"
@@ -34,7 +34,7 @@ record TeamName(String written, String ascii) {
      * Parses a name.
      *
      * @param name the original
-     * @throws CalledWronglyException if it is not a valid name of a team; the message suggests one
+     * @throws CalledWronglyException if it is not a valid team name; the message suggests one
      */
     static TeamName of(String name) {
         String written = Normalizer.normalize(name, Normalizer.Form.NFC);

@@ -28,7 +28,7 @@ public sealed interface TeamProgram {
     /** {@return the checksum of the program; results with a different checksum are not reused} */
     String fingerprint();
 
-    /** {@return the files of the team, which each trial copies into its working directory} */
+    /** {@return the team's files, which are copied into the working directory of each trial} */
     default Optional<Path> folder() {
         return Optional.empty();
     }
@@ -59,7 +59,7 @@ public sealed interface TeamProgram {
     /**
      * Returns the files that the program may read in addition to system files and its own folder.
      *
-     * @param hidden files and folders that the program must not see
+     * @param hidden files and folders that are hidden from the program
      * @return files and folders
      */
     default List<Path> readable(Collection<Path> hidden) {
@@ -73,7 +73,7 @@ public sealed interface TeamProgram {
      * @param limits resource limits of the program
      * @param surroundings sandbox of the program
      * @param work working directory, which is created
-     * @param log file for the output of the program
+     * @param log file for the program's output
      * @return the running program
      * @throws IOException if it cannot be started
      */
@@ -106,8 +106,8 @@ public sealed interface TeamProgram {
      * Sandbox in which a program runs, and its socket to the simulator.
      *
      * @param sandbox the sandbox, which may be absent
-     * @param door the socket of the simulator for this team; empty without a sandbox
-     * @param hidden files and folders that the program must not see: other programs and the results
+     * @param door the simulator's socket for this team; empty without a sandbox
+     * @param hidden files and folders that are hidden from the program: other programs and the results
      */
     record Surroundings(Sandbox sandbox, Optional<Path> door, Collection<Path> hidden) {
 
@@ -124,8 +124,8 @@ public sealed interface TeamProgram {
      *
      * @param classPath its classes and resources
      * @param mainClasses the main class for each role
-     * @param folder the files of the team, which each trial copies into its working directory
-     * @param submitted the submission from which the files have been copied
+     * @param folder the team's files, which are copied into the working directory of each trial
+     * @param submitted the submission from which the files were copied
      * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
@@ -149,7 +149,7 @@ public sealed interface TeamProgram {
             List<String> words =
                     new ArrayList<>(List.of(ProgramMain.CLASS, mainClasses.getOrDefault(start.role(), "")));
             words.addAll(start.options(together));
-            words.add("--no-browser"); // without --headless, which would make the agent itself stop infinite loops
+            words.add("--no-browser"); // not --headless, with which the agent would stop infinite loops itself
             return words;
         }
 
@@ -172,8 +172,8 @@ public sealed interface TeamProgram {
      * A program written in any language.
      *
      * @param words program and arguments, with placeholders such as {@code {port}}
-     * @param folder the files of the team, which each trial copies into its working directory
-     * @param submitted the submission from which the files have been copied
+     * @param folder the team's files, which are copied into the working directory of each trial
+     * @param submitted the submission from which the files were copied
      * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
@@ -206,7 +206,8 @@ public sealed interface TeamProgram {
         }
 
         /**
-         * Returns the folder of a script, or only the script if its folder contains other teams or is the user's home.
+         * Returns a script's folder, or just the script if the folder contains other teams or is the user's home
+         * folder.
          */
         private static Path besides(Path file, Collection<Path> hidden) {
             Path folder = Objects.requireNonNullElse(file.getParent(), file);
@@ -215,7 +216,7 @@ public sealed interface TeamProgram {
             return Files.isDirectory(file) || foreign ? file : folder;
         }
 
-        /** Returns the files among the arguments. */
+        /** Returns those arguments that are files. */
         private List<Path> files() {
             return words.stream()
                     .filter(word -> word.startsWith("/"))
@@ -228,7 +229,7 @@ public sealed interface TeamProgram {
     /**
      * A program that cannot be started.
      *
-     * @param ending the outcome of all its trials
+     * @param ending the outcome of all trials of the program
      * @param complaint the compiler errors, or the name of the refused file
      * @param fingerprint checksum of the program
      */

@@ -35,7 +35,7 @@ import org.robonewbie.programs.process.Sandbox;
  * @param folder folder to which paths are relative
  * @param buildFolder folder for copies of the teams' files and for compiled classes
  * @param examples full class names of the examples, by simple name
- * @param sandbox sandbox of the compiler
+ * @param sandbox sandbox for the compiler
  */
 public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> examples, Sandbox sandbox) {
 
@@ -256,7 +256,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
                 .anyMatch(file -> Files.isRegularFile(file) && Files.isExecutable(file));
     }
 
-    /** Returns a file if it exists. Windows separators are supported on all systems. */
+    /** Returns a file if it exists. Backslashes are accepted as separators on all systems. */
     private Optional<Path> existing(String name) {
         try {
             return Stream.of(name, name.replace('\\', '/'))
@@ -284,7 +284,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
                 .toString();
     }
 
-    /** Chooses a class for each role: the one that the team has specified, or else the only class with a main method. */
+    /** Chooses a class for each role: the one specified by the team, or else the only class with a main method. */
     private static Map<Role, String> choose(TeamEntry team, List<String> candidates) {
         return forEachRole(role -> team.mainClass(role)
                 .map(name -> existing(team, name, candidates))

@@ -26,8 +26,8 @@ import org.robonewbie.programs.process.Sandbox;
 
 /**
  * Admission control of one trial: starts the programs and decides which of them may connect to which port. In a sandbox, each
- * team's port is a Unix domain socket that only this team can see. Without a sandbox it is a TCP port; on Linux, connections
- * are accepted only from processes of the team.
+ * team's port is a Unix domain socket that is visible only to this team. Without a sandbox it is a TCP port; on Linux,
+ * connections are accepted only from the team's processes.
  */
 final class AdmissionControl implements AutoCloseable {
 
@@ -46,7 +46,7 @@ final class AdmissionControl implements AutoCloseable {
     /**
      * Creates the ports of a trial.
      *
-     * @param sandbox sandbox of the programs
+     * @param sandbox sandbox for the programs
      * @param programs programs of all teams in the contest
      * @param limits resource limits per program
      * @param files output files of the trial
@@ -69,10 +69,10 @@ final class AdmissionControl implements AutoCloseable {
     }
 
     /**
-     * Starts a process of a team.
+     * Starts a process for a team.
      *
      * @param start arguments of the program
-     * @param name prefix for the names of its files
+     * @param name prefix for the names of the process's files
      * @throws IOException if it cannot be started
      */
     ChildProcess start(Start start, String name) throws IOException {
@@ -104,12 +104,12 @@ final class AdmissionControl implements AutoCloseable {
         return unseen;
     }
 
-    /** Returns the processes of a team in the order in which they were started. */
+    /** Returns a team's processes in the order in which they were started. */
     List<ChildProcess> processes(String team) {
         return processes.getOrDefault(team, List.of());
     }
 
-    /** Returns why a program has ended, after a short wait for its exit; empty if it is still running. */
+    /** Returns why a program has ended, after waiting briefly for its exit; empty if it is still running. */
     static Optional<Ending> ending(ChildProcess process) {
         boolean hasEnded = process.excess().isPresent() || process.awaitEnd(SECONDS_TO_END);
         return hasEnded
@@ -126,7 +126,7 @@ final class AdmissionControl implements AutoCloseable {
         };
     }
 
-    /** Returns the exit code of a program, after a short wait for its exit. */
+    /** Returns a program's exit code, after waiting briefly for its exit. */
     static OptionalInt exitCode(ChildProcess process) {
         process.awaitEnd(SECONDS_TO_END);
         return process.exitCode();
@@ -155,7 +155,7 @@ final class AdmissionControl implements AutoCloseable {
         return processes(team).stream().anyMatch(process -> process.holds(client.getPort(), port));
     }
 
-    /** Returns the teams whose programs connected to the port of another team. */
+    /** Returns the teams whose programs connected to another team's port. */
     Set<String> intruders() {
         return intruders;
     }

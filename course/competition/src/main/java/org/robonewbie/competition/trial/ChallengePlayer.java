@@ -35,7 +35,7 @@ public final class ChallengePlayer implements TrialPlayer {
      * @param challenge supplies a new challenge for each trial
      * @param programs programs by team name
      * @param limits resource limits per program
-     * @param sandbox sandbox of the programs
+     * @param sandbox sandbox for the programs
      * @param spectators live viewers
      */
     public ChallengePlayer(

@@ -114,7 +114,7 @@ final class RemoteAgents implements AutoCloseable {
         }
     }
 
-    /** Stops all processes after one has failed to join or respond, appends the reason to the log, and returns the outcome. */
+    /** Stops all processes after one of them has failed to join or respond, appends the reason to the log, and returns the outcome. */
     Ending end(AbsentProgramException absent) throws IOException {
         Ending reason = processes().stream()
                 .flatMap(process -> AdmissionControl.ending(process).stream())

@@ -25,7 +25,7 @@ public interface Spectators {
      *
      * @param simulation the simulation to show
      * @param trial the trial
-     * @return an action for the caller to run at the end of the trial
+     * @return an action that the caller must run at the end of the trial
      * @throws IOException if it cannot be shown
      */
     Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException;

@@ -7,7 +7,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.server.Simulator;
 
-/** Agent that has no robot and only synchronises, so that the simulator does not wait for agents that never join. */
+/** Agent without a robot, which only synchronises so that the simulator does not wait for agents that never join. */
 final class StandIn {
 
     private StandIn() {}

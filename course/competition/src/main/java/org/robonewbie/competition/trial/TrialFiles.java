@@ -24,7 +24,7 @@ public record TrialFiles(Optional<Path> recording, Path logs, Path work) {
                 Objects.requireNonNullElse(work.toAbsolutePath().normalize().getParent(), work));
     }
 
-    /** Writes the reports of refused connections, if there are any. */
+    /** Writes the reports of refused connections, if any. */
     void writeNotices(String trial, List<String> notices) throws IOException {
         if (!notices.isEmpty()) {
             Files.write(logs.resolve(trial + "-doors.txt"), notices);

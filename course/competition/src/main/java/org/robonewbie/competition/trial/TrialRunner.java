@@ -51,10 +51,10 @@ public final class TrialRunner implements TrialPlayer {
     /**
      * Creates a runner.
      *
-     * @param contest supplies the judges
+     * @param contest the contest, which supplies the judges
      * @param programs programs by team name
      * @param limits resource limits per program
-     * @param sandbox sandbox of the programs
+     * @param sandbox sandbox for the programs
      * @param spectators live viewers
      */
     public TrialRunner(
@@ -106,7 +106,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Creates a team's endpoint. Programs are started after the simulator, so no connection arrives before it is running. */
+    /** Creates a team's endpoint. Programs are started after the simulator, so no connection arrives before the simulator is running. */
     private static TeamEndpoint endpoint(
             Entrant entrant, AdmissionControl admission, AtomicReference<Simulator> running) {
         String team = entrant.team();

@@ -32,7 +32,7 @@ final class TrialSupervisor implements SimulationObserver {
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
 
-    /** Number of cycles for which a team may have too many robots; a reconnecting program briefly has two. */
+    /** Number of cycles for which a team may have too many robots, because a reconnecting program briefly has two. */
     private static final int EXTRA_ROBOT_CYCLES = 10;
 
     private static final double PLACE_METRES = 0.4;
@@ -54,8 +54,9 @@ final class TrialSupervisor implements SimulationObserver {
     /**
      * Creates a supervisor.
      *
-     * @param connectedRobots returns the number of robots connected to a team's port, whether or not they are playing
-     * @param intruders teams whose programs connected to the port of another team
+     * @param connectedRobots returns the number of robots connected to a team's port, including robots that are not
+     *     playing
+     * @param intruders teams whose programs connected to another team's port
      */
     TrialSupervisor(
             ContestTrial trial,
@@ -142,7 +143,7 @@ final class TrialSupervisor implements SimulationObserver {
         }
     }
 
-    /** Moves robots that beamed elsewhere to their start poses. */
+    /** Moves robots that have beamed elsewhere to their start poses. */
     private void correctPlaces(Entrant entrant, WorldSnapshot world) {
         for (RobotSnapshot robot : robotsOf(entrant, world)) {
             TeamSide side = robot.side().orElseThrow();

@@ -29,7 +29,7 @@ import org.robonewbie.trial.batch.BatchRunner;
  * @param threads the number of trials to run in parallel, at least 1
  * @param sandbox the sandbox of the program
  * @param recording file for a recording of the first trial; empty for none
- * @param output receives each line that the program prints
+ * @param output receives each line printed by the program
  */
 public record ProcessGrader(
         int seeds, int threads, Sandbox sandbox, Optional<Path> recording, Consumer<String> output) {
@@ -75,7 +75,7 @@ public record ProcessGrader(
         }
     }
 
-    /** Kills the program if it does not end in time. */
+    /** Kills the program if it does not finish in time. */
     private CompletableFuture<Void> deadline(CompletableFuture<Void> end, RobotProcess student, AtomicBoolean late) {
         return end.orTimeout(START_SECONDS + (long) SECONDS_PER_TRIAL * seeds, TimeUnit.SECONDS)
                 .exceptionally(timeout -> {

@@ -24,8 +24,8 @@ import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * The submissions of all students in a course: a folder for each student, files named after the student and the Java
- * class, such as {@code anna_Kick.java}, files that students of the web edition send, and text files with links that
- * they send. The name of the Java class determines the exercise.
+ * class, such as {@code anna_Kick.java}, files sent by students who use the web edition, and text files with the links
+ * that they send. The name of the Java class determines the exercise.
  */
 final class ClassFolder {
 
@@ -48,7 +48,7 @@ final class ClassFolder {
      * @param sources folders with the submissions of a class, and single submissions
      * @param exercises the exercises to grade
      * @param copies folder for copies of the accepted files; the copies are graded
-     * @param results folder for the results, which is ignored if it is inside a source
+     * @param results folder for the results; ignored if it is inside a source
      * @throws CalledWronglyException if there is nothing to grade
      */
     static ClassFolder read(List<Path> sources, List<Exercise> exercises, Path copies, Path results)
@@ -91,12 +91,12 @@ final class ClassFolder {
         return Collections.unmodifiableMap(submissions);
     }
 
-    /** Returns the reasons why submissions cannot be graded, by student, or by file if it could not be read. */
+    /** Returns the reasons why submissions cannot be graded, by student, or by file for files that could not be read. */
     Map<String, String> troubles() {
         return Collections.unmodifiableMap(troubles);
     }
 
-    /** Adds a folder or file, and returns whether it contains a submission or something that must be reported. */
+    /** Adds a folder or file; returns whether it contains a submission or a problem to report. */
     private boolean add(Path entry) throws IOException {
         String name = String.valueOf(entry.getFileName());
         if (name.startsWith(".")) {
@@ -146,7 +146,7 @@ final class ClassFolder {
         received.troubles().forEach(this::note);
     }
 
-    /** Writes the files of a submission, whose names {@link HandIn} has checked. */
+    /** Writes the files of a submission. {@link HandIn} has already validated their names. */
     private static void unpack(HandIn work, Path folder) throws IOException {
         for (Map.Entry<String, String> file : work.files().entrySet()) {
             Path copy = folder.resolve(file.getKey());
@@ -183,7 +183,7 @@ final class ClassFolder {
         return name.endsWith(JAVA) && !name.startsWith(".");
     }
 
-    /** Adds a file such as {@code anna_Kick.java}. Its copy is named after the class, as Java requires. */
+    /** Adds a file such as {@code anna_Kick.java}. The copy is named after the class, as required by Java. */
     private void addFlat(String name, Path file) throws IOException {
         String type = typeOf(name);
         Optional<Exercise> exercise = exercises.stream()

@@ -30,7 +30,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * Grades are stored: running the command again resumes an interrupted run and grades only programs that have changed.
  *
  * @param sources submissions, or folders of submissions: a subfolder for each student, files such as {@code
- *     anna_Kick.java}, or files and links that students of the web edition have sent
+ *     anna_Kick.java}, or files and links sent by students who use the web edition
  * @param exercises the exercises to grade
  * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades
@@ -49,7 +49,7 @@ public record ClassMarking(
 
     private static final String ERROR = ": error: ";
 
-    /** Messages that the compiler prints when its stack or heap is exhausted. */
+    /** Compiler messages for an exhausted stack or heap. */
     private static final List<String> NESTED_TOO_DEEPLY =
             List.of("robonewbie: The compiler cannot read ", "The system is out of resources");
 
@@ -140,7 +140,7 @@ public record ClassMarking(
         }
     }
 
-    /** Grades a program. If the grader fails, only this program is affected. */
+    /** Grades a program. A failure of the grader affects only this program. */
     private Mark mark(Submission submission, String fingerprint, KeptMarks kept) throws IOException {
         try (TemporaryFolder work = TemporaryFolder.create("program")) {
             Path copy = work.path().toRealPath();
@@ -169,9 +169,7 @@ public record ClassMarking(
                 : broken(submission, reason(result.output(), String.valueOf(file.getFileName())));
     }
 
-    /**
-     * Returns the first error of the compiler without the path of the file, or the first line of the output if there is none.
-     */
+    /** Returns the compiler's first error without the file path, or the first line of output if there is no error. */
     private static String reason(List<String> output, String fileName) {
         if (output.stream().anyMatch(line -> NESTED_TOO_DEEPLY.stream().anyMatch(line::startsWith))) {
             return "It does not compile: expressions or blocks are nested too deeply for the compiler.";
@@ -193,7 +191,7 @@ public record ClassMarking(
         return new Mark(submission.student(), submission.exercise().name(), Optional.empty(), reason);
     }
 
-    /** Returns the checksum of everything that a grade depends on: the student's files, the number of seeds and the version. */
+    /** Returns the checksum of everything on which a grade depends: the student's files, the number of seeds and the version. */
     private String fingerprint(Submission submission, Path copy) throws IOException {
         return new Fingerprint()
                 .add(seeds + " " + version + " " + submission.folder().relativize(submission.file()))

@@ -17,14 +17,14 @@ import org.robonewbie.simulator.json.Json;
 
 /**
  * Serves the web edition's pages for a class without accounts: creates a student's submission, lists the programs in received
- * submissions, and writes the table of {@link ClassMarking}. The page runs the programs. Requests and responses are JSON.
+ * submissions, and writes the table of {@link ClassMarking}. The programs run in the page. Requests and responses are JSON.
  */
 public final class ClassService {
 
     private ClassService() {}
 
     /**
-     * Answers a request.
+     * Handles a request.
      *
      * @param action {@code submission}: checks {@link HandIn#json a submission} and returns it; {@code programs}: lists the
      *     programs to grade; {@code table}: writes the table
@@ -78,10 +78,10 @@ public final class ClassService {
     /**
      * Writes the table and checks for plagiarism.
      *
-     * @param request that of {@link #programs}, with {@code "seeds"} and {@code "marks": [{"student": …, "exercise": …,
-     *     "judged": […] or "reason": …}]}; {@code judged} contains trials in the format that {@code CourseService} uses for
-     *     an attempt
-     * @return the files of the table by name, and a summary as {@code "sentence"}
+     * @param request as for {@link #programs}, with the additional members {@code "seeds"} and {@code "marks": [{"student":
+     *     …, "exercise": …, "judged": […] or "reason": …}]}; {@code judged} contains trials in the format of an attempt in
+     *     {@code CourseService}
+     * @return the table's files by name, and a summary as {@code "sentence"}
      */
     static String table(String request) {
         JsonObject read = parse(request);

@@ -21,7 +21,8 @@ import org.robonewbie.nao.text.Html;
  * @param exercises the columns
  * @param students the rows
  * @param marks the grades
- * @param troubles reasons why submissions could not be graded, by student, or by source if it could not be read
+ * @param troubles reasons why submissions could not be graded, by student, or by source for sources that could not be
+ *     read
  * @param copies result of the plagiarism check
  * @param seeds the number of trials for each program
  */
@@ -64,12 +65,12 @@ record ClassTable(
         return folder.resolve(PAGE);
     }
 
-    /** Returns the texts of all files by name. */
+    /** Returns the contents of all files by name. */
     Map<String, String> files() {
         return Map.of("grades.csv", csv(), "findings.csv", findings(), "copies.csv", copiesCsv(), PAGE, html());
     }
 
-    /** Summarises the plagiarism check in sentences. */
+    /** Returns a summary of the plagiarism check, as sentences. */
     String sentence() {
         List<CopyCheck.Pair> pairs = copies.pairs();
         int comparable = copies.comparisons().stream()
@@ -239,7 +240,7 @@ record ClassTable(
                 %s""".formatted(Html.text(sentence()), table);
     }
 
-    /** Returns why some programs of a student could not be graded. */
+    /** Returns why some of a student's programs could not be graded. */
     private String note(String student) {
         Stream<String> broken = marks(student)
                 .filter(mark -> mark.grade().isEmpty())

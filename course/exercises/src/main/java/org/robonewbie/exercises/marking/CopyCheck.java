@@ -17,7 +17,7 @@ import org.robonewbie.nao.file.UnreadableFileException;
  */
 final class CopyCheck {
 
-    /** Minimum number of original n-grams for a comparison; shorter programs may be similar by chance. */
+    /** Minimum number of original n-grams for a comparison, because shorter programs may be similar by chance. */
     private static final int MIN_OWN_RUNS = 40;
 
     private static final double MIN_LIKENESS = 0.8;
@@ -42,7 +42,7 @@ final class CopyCheck {
      * @param exercise name of the exercise
      * @param programs the number of programs
      * @param comparable the number of programs with enough original code to be compared
-     * @param unchanged the number of programs that equal the starter code
+     * @param unchanged the number of programs that are identical to the starter code
      */
     record Comparison(String exercise, int programs, int comparable, int unchanged) {
 
@@ -143,7 +143,7 @@ final class CopyCheck {
         return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
     }
 
-    /** Normalises what editors may change: line endings, a byte order mark and trailing whitespace. */
+    /** Normalises details that editors may change: line endings, byte order mark and trailing whitespace. */
     private static String plain(String text) {
         return text.replace("\uFEFF", "")
                 .replace("\r\n", "\n")
@@ -152,7 +152,7 @@ final class CopyCheck {
                 .strip();
     }
 
-    /** Returns the text of a program, or its bytes in hexadecimal if it is not text. */
+    /** Returns a program's text, or its bytes in hexadecimal if it is not text. */
     private static String text(Submission submission) {
         try {
             return TextFile.read(submission.file()).content();

@@ -29,7 +29,7 @@ public final class EvaluationSummary {
         this.answers = answers;
     }
 
-    /** Participants whose experience is between two bounds. */
+    /** Participants whose experience is within a range. */
     private record Group(String name, String experience, double least, double most) {}
 
     /**
@@ -37,7 +37,8 @@ public final class EvaluationSummary {
      *
      * @param file a file with one line of answers per participant
      * @return the means
-     * @throws CalledWronglyException if the file cannot be read or parsed; the message names the file and the line
+     * @throws CalledWronglyException if the file cannot be read or parsed; the message contains the file name and the
+     *     line number
      */
     public static EvaluationSummary of(Path file) {
         try {

@@ -16,19 +16,19 @@ import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.json.Json;
 
 /**
- * What a student of a class without accounts sends to the teacher: programs for the assigned exercises, with the classes and
- * motions that they use. It contains no grades. Students send it as a link or as a file; both contain the JSON of {@link #json},
- * compressed with gzip.
+ * A student's submission in a class without accounts: programs for the assigned exercises, with the classes and motions that
+ * they use. It contains no grades. It is sent to the teacher as a link or as a file, both of which contain the JSON of {@link
+ * #json}, compressed with gzip.
  *
  * <pre>{@code
  * {"version": 1, "student": "Anna", "seeds": 3, "exercises": ["kick"],
  *  "files": {"Kick.java": "public class Kick …", "motions/swing.txt": "…"}}
  * }</pre>
  *
- * @param student name of the student, valid as the name of a folder
- * @param seeds number of trials that the teacher has assigned
+ * @param student name of the student, valid as a folder name
+ * @param seeds number of trials assigned by the teacher
  * @param exercises names of the assigned exercises, which may be unknown to this version
- * @param files texts by name: Java files, and motions in the folder {@code motions}
+ * @param files file contents by name: Java files, and motions in the folder {@code motions}
  */
 public record HandIn(String student, int seeds, List<String> exercises, Map<String, String> files) {
 
@@ -50,7 +50,7 @@ public record HandIn(String student, int seeds, List<String> exercises, Map<Stri
     /**
      * Checks the contents.
      *
-     * @throws IllegalArgumentException if a name is invalid or something is too large; the message gives the reason
+     * @throws IllegalArgumentException if a name is invalid or a limit is exceeded; the message gives the reason
      */
     public HandIn {
         check(student, "The name \"" + student + "\"");

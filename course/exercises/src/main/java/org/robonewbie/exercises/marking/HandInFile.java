@@ -25,7 +25,7 @@ final class HandInFile {
 
     private HandInFile() {}
 
-    /** Reads a file, reports what cannot be read, and returns whether it contains a submission, damaged or not. */
+    /** Reads a file and reports anything that cannot be read; returns whether the file contains a submission, even a damaged one. */
     static boolean read(Path file, ReceivedWork target) {
         String name = String.valueOf(file.getFileName());
         try {

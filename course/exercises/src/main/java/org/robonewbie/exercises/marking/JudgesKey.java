@@ -14,7 +14,7 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is
+ * Key for signing stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is
  * stored in the home folder and is readable only by its owner, so programs that the owner runs outside a sandbox can
  * read it too.
  */
@@ -29,7 +29,7 @@ final class JudgesKey {
         this.key = key.clone();
     }
 
-    /** Returns the key of this user. */
+    /** Returns the current user's key. */
     static JudgesKey ofUser() {
         return of(Path.of(System.getProperty("user.home", "."), ".robonewbie", "judges-key"));
     }
@@ -77,7 +77,7 @@ final class JudgesKey {
         }
     }
 
-    /** Returns whether a signature matches a text. */
+    /** Returns whether a signature matches the text. */
     boolean hasSigned(String text, String signature) {
         return MessageDigest.isEqual(
                 sign(text).getBytes(StandardCharsets.UTF_8), signature.getBytes(StandardCharsets.UTF_8));

@@ -16,8 +16,8 @@ import org.robonewbie.nao.file.RegularFile;
 
 /**
  * Stored grades in a folder, one file for each student and exercise, so that unchanged programs are not graded again. A file
- * contains the checksum of everything that the grade depends on, and a signature. Files are read before the first program runs;
- * after that, the copy in memory is authoritative, and {@link #repair} restores the files from it.
+ * contains the checksum of everything on which the grade depends, and a signature. Files are read before the first program
+ * runs; after that, the copy in memory is authoritative, and {@link #repair} restores the files from it.
  */
 final class KeptMarks {
 
@@ -32,7 +32,7 @@ final class KeptMarks {
      * Opens a folder.
      *
      * @param folder the folder
-     * @param key key with which grades are signed
+     * @param key key for signing grades
      */
     KeptMarks(Path folder, JudgesKey key) {
         this.folder = folder;
@@ -51,7 +51,7 @@ final class KeptMarks {
         }
     }
 
-    /** Returns the grade of a program; empty if there is none or the checksum differs. */
+    /** Returns a program's grade; empty if there is none or the checksum differs. */
     synchronized Optional<Mark> find(Submission submission, String fingerprint) {
         try {
             String text = read(file(submission));

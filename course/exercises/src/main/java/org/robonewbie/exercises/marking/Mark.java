@@ -10,7 +10,7 @@ import org.robonewbie.exercises.Score;
  * @param student name of the student
  * @param exercise name of the exercise
  * @param grade the grade; empty if the program could not be started
- * @param reason why it could not be started, such as the first error of the compiler; empty with a grade
+ * @param reason why the program could not be started, such as the compiler's first error; empty if there is a grade
  */
 record Mark(String student, String exercise, Optional<Grade> grade, String reason) {
 

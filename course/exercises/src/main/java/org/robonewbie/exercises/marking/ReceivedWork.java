@@ -10,8 +10,8 @@ import java.util.stream.Collectors;
 import org.robonewbie.exercises.Exercises;
 
 /**
- * Submissions that a teacher has received as links and files. Damaged submissions, unknown exercises and names that
- * occur twice are reported; all other submissions count.
+ * Submissions that a teacher has received as links and files. Damaged submissions, unknown exercises and duplicate
+ * names are reported; all other submissions count.
  */
 final class ReceivedWork {
 
@@ -43,8 +43,8 @@ final class ReceivedWork {
     }
 
     /**
-     * Returns the student of each submission, in the order in which they were added; an empty name if it could not be
-     * read.
+     * Returns the student's name for each submission, in the order in which they were added; empty if the submission
+     * could not be read.
      */
     List<String> senders() {
         return List.copyOf(senders);
@@ -57,7 +57,7 @@ final class ReceivedWork {
                 .toList();
     }
 
-    /** Returns the accepted submissions, sorted by name. Call after all have been added. */
+    /** Returns the accepted submissions, sorted by name. Call this after all submissions have been added. */
     List<HandIn> accepted() {
         return received.values().stream()
                 .filter(sameName -> sameName.size() == 1)

@@ -9,15 +9,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Token n-grams of a program, ignoring comments, layout, numbers and the names that its author has chosen. Comparing n-grams
- * makes the order of methods irrelevant, as in MOSS (Schleimer, Wilkerson and Aiken 2003).
+ * Token n-grams of a program, ignoring comments, layout, numbers and the names chosen by its author. Comparing n-grams makes
+ * the order of methods irrelevant, as in MOSS (Schleimer, Wilkerson and Aiken 2003).
  *
  * @param runs all n-grams
  * @param numbers the numbers in the order in which they occur
  */
 record SourceShape(Set<String> runs, List<String> numbers) {
 
-    /** Number of tokens in an n-gram: shorter ones occur in every program, longer ones break at every change. */
+    /** Number of tokens in an n-gram. Shorter n-grams occur in every program; longer ones are broken by every change. */
     private static final int LENGTH = 9;
 
     /** Groups of {@link #WORD}; the web edition does not support named groups. */
@@ -34,8 +34,9 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
     /**
-     * Keywords and literals, without primitive types such as {@code int}: like class names, these may precede a declared
-     * name. The class {@code javax.lang.model.SourceVersion}, which lists keywords, is missing in the web edition.
+     * Keywords and literals, without primitive types such as {@code int}: like class names, primitive types may precede
+     * a declared name. The class {@code javax.lang.model.SourceVersion}, which lists keywords, is missing in the web
+     * edition.
      */
     private static final Set<String> KEYWORDS = Set.of(
             ("abstract assert break case catch class const continue default do else enum extends final finally for goto if"
@@ -91,7 +92,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return (int) runs.stream().filter(run -> !given.runs.contains(run)).count();
     }
 
-    /** Returns the share of numbers that both programs contain, 0 to 1. */
+    /** Returns the share of numbers that occur in both programs, 0 to 1. */
     double sameNumbers(SourceShape other) {
         List<String> left = new ArrayList<>(other.numbers);
         long both = numbers.stream().filter(left::remove).count();

@@ -9,6 +9,6 @@ import org.robonewbie.exercises.Exercise;
  * @param student name of the student or team
  * @param exercise the exercise
  * @param file the program's Java file, inside {@code folder}
- * @param folder copy of all files of the student, including motions and other classes
+ * @param folder copy of all the student's files, including motions and other classes
  */
 record Submission(String student, Exercise exercise, Path file, Path folder) {}

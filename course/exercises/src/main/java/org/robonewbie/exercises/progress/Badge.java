@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 
-/** Awards that a student or a team receives for passed exercises. */
+/** Awards that a student or a team receives for passing exercises. */
 public enum Badge {
     /** One exercise passed. */
     FIRST_SUCCESS("First success", "one exercise passed", Rule.passed("", 1)),
@@ -16,11 +16,11 @@ public enum Badge {
     ADVANCED("Advanced", "all advanced exercises passed", Rule.all("advanced")),
     /** All exercises of the highest level passed. */
     CHALLENGER("Challenger", "all challenge exercises passed", Rule.all("challenge")),
-    /** Full points in five exercises. */
+    /** Full marks in five exercises. */
     PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MAX_POINTS, 0, false)),
     /** Five exercises passed without help. */
     OWN_WAY("Own way", "five exercises passed without a hint or a solution", new Rule("", 5, 0, 0, true)),
-    /** One exercise passed after ten tries or more. */
+    /** One exercise passed after ten or more tries. */
     PERSISTENT("Persistent", "an exercise passed after ten or more tries", new Rule("", 1, 0, 10, false)),
     /** All exercises passed. */
     WHOLE_COURSE("The whole course", "all exercises passed", Rule.all(""));
@@ -32,12 +32,12 @@ public enum Badge {
     private final Rule rule;
 
     /**
-     * Condition of a badge.
+     * Condition for a badge.
      *
      * @param level level of the exercises that count; empty for all levels
-     * @param exercises required number of passed exercises; 0 for all exercises of the level
-     * @param leastPoints required minimum of the best points
-     * @param leastTries minimum number of graded tries
+     * @param exercises number of exercises that must be passed; 0 for all exercises of the level
+     * @param leastPoints minimum points required in the best try
+     * @param leastTries minimum number of graded tries required
      * @param alone whether an exercise counts only if the student opened neither a hint nor a solution
      */
     private record Rule(String level, int exercises, double leastPoints, int leastTries, boolean alone) {

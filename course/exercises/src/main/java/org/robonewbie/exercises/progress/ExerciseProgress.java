@@ -5,18 +5,18 @@ import java.time.Instant;
 /**
  * A student's progress on one exercise.
  *
- * @param tries number of graded programs
- * @param bestPoints best points of any try, 0 to 10
+ * @param tries number of graded tries
+ * @param bestPoints points scored in the best try, 0 to 10
  * @param passed whether the exercise has been passed
  * @param seconds working time in seconds until the exercise was passed; pauses of more than 20 minutes do not count
- * @param hints number of opened hints
- * @param solutionSeen whether a solution was shown
+ * @param hints number of hints opened
+ * @param solutionSeen whether a solution has been shown
  * @param lastSeen time of the last activity in ISO 8601 format; empty before the first activity
  */
 public record ExerciseProgress(
         int tries, double bestPoints, boolean passed, long seconds, int hints, boolean solutionSeen, String lastSeen) {
 
-    /** Number of graded tries before a solution is shown. */
+    /** Number of graded tries required before a solution is shown. */
     public static final int TRIES_BEFORE_SOLUTION = 3;
 
     /** Progress before the first activity. */
@@ -48,7 +48,7 @@ public record ExerciseProgress(
     /**
      * Adds a graded try.
      *
-     * @param points points of the try, 0 to 10
+     * @param points points scored in the try, 0 to 10
      * @param solved whether all trials have passed
      * @param now the current time
      * @return the new state
@@ -76,7 +76,7 @@ public record ExerciseProgress(
                 tries, bestPoints, passed, seconds, Math.min(hints + 1, available), solutionSeen, lastSeen);
     }
 
-    /** {@return the state after a solution was shown} */
+    /** {@return the state after a solution has been shown} */
     public ExerciseProgress withSolution() {
         return new ExerciseProgress(tries, bestPoints, passed, seconds, hints, true, lastSeen);
     }

@@ -17,7 +17,7 @@ import org.robonewbie.simulator.json.Json;
 /**
  * A student's progress in all exercises.
  *
- * @param exercises the states by exercise name, without exercises that have not been started
+ * @param exercises the states by exercise name, only for exercises that have been started
  */
 public record Progress(Map<String, ExerciseProgress> exercises) {
 
@@ -115,12 +115,12 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
         return new Progress(changed);
     }
 
-    /** {@return the number of passed exercises} */
+    /** {@return the number of exercises passed} */
     public long passed() {
         return Exercises.all().stream().filter(each -> of(each).passed()).count();
     }
 
-    /** {@return the sum of the best points} */
+    /** {@return the sum of the points scored in the best try of each exercise} */
     public double points() {
         return Exercises.all().stream()
                 .mapToDouble(each -> of(each).bestPoints())
@@ -132,7 +132,7 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
         return Exercises.all().stream().mapToLong(each -> of(each).seconds()).sum();
     }
 
-    /** {@return the earned badges} */
+    /** {@return the badges earned} */
     public List<Badge> badges() {
         return Arrays.stream(Badge.values())
                 .filter(badge -> badge.isEarnedBy(this))
@@ -143,7 +143,7 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
      * Merges the progress of two team members, taking the better state for each exercise.
      *
      * @param other progress of another member
-     * @return the progress of the team
+     * @return the team's progress
      */
     public Progress joined(Progress other) {
         Map<String, ExerciseProgress> both = new TreeMap<>(exercises);

@@ -19,19 +19,19 @@ import org.robonewbie.nao.file.AtomicFile;
 
 /**
  * File with a user's progress: {@code .robonewbie/progress.json} in the home folder, unless configured otherwise. The framework
- * does not send it anywhere. Several processes may update it concurrently.
+ * does not send it anywhere. Several processes may update the file concurrently.
  *
  * @param file the file; it need not exist
  */
 public record ProgressFile(Path file) {
 
-    /** Environment variable that specifies a different progress file; {@code off} disables storing progress. */
+    /** Environment variable that specifies a different progress file; {@code off} disables the storage of progress. */
     public static final String SWITCH = "ROBONEWBIE_PROGRESS";
 
     private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
     private static final Object IN_THIS_PROCESS = new Object();
 
-    /** {@return the file of the current user; empty if storing progress is disabled} */
+    /** {@return the file of the current user; empty if progress is not stored} */
     public static Optional<ProgressFile> ofUser() {
         String choice = Optional.ofNullable(System.getenv(SWITCH)).orElse("");
         if (choice.equalsIgnoreCase("off")) {
@@ -42,7 +42,7 @@ public record ProgressFile(Path file) {
     }
 
     /**
-     * Reads the progress. Skips exercises with invalid values. A damaged file counts as empty.
+     * Reads the progress. Skips exercises with invalid values. A damaged file is treated as empty.
      *
      * @return the progress; empty if there is no file
      * @throws IOException if the file cannot be read

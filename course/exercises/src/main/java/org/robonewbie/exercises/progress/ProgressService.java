@@ -37,7 +37,7 @@ public final class ProgressService {
      *
      * @param open the hints opened so far, in the order of the worksheet
      * @param all total number of hints
-     * @param solution whether there is a solution that the teacher has not locked
+     * @param solution whether there is a solution that has not been locked by the teacher
      * @param triesLeft number of graded tries that are still required before the solution is shown
      */
     public record Hints(List<String> open, int all, boolean solution, int triesLeft) {}
@@ -63,7 +63,7 @@ public final class ProgressService {
      * @param points mean points of the trials, 0 to 10
      * @param passed whether all trials have passed
      * @param language language of the advice
-     * @return sentences that say what the student can do next; empty after a success
+     * @return advice on what to do next, as sentences; empty after a success
      */
     public List<String> graded(Exercise exercise, double points, boolean passed, Language language) {
         ExerciseProgress state = store.update(exercise, before -> before.tried(points, passed, Instant.now()));
@@ -90,7 +90,7 @@ public final class ProgressService {
      *
      * @param exercise the exercise
      * @param language language of the hints
-     * @return the opened hints
+     * @return the hints opened so far
      */
     public Hints nextHint(Exercise exercise, Language language) {
         int all = Worksheet.of(exercise, language).hints().size();
@@ -99,7 +99,7 @@ public final class ProgressService {
     }
 
     /**
-     * Returns the opened hints.
+     * Returns the hints opened so far.
      *
      * @param exercise the exercise
      * @param language language of the hints

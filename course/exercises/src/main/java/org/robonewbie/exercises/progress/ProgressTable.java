@@ -38,7 +38,7 @@ public record ProgressTable(Progress progress) {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** {@return a sentence with the total number of passed exercises, points and working time} */
+    /** {@return a sentence with the totals of exercises passed, points and working time} */
     public String sum() {
         return String.format(
                 Locale.ROOT,

@@ -20,7 +20,7 @@ import org.robonewbie.nao.file.TextFile;
  */
 public record SolutionRepository(Source source) {
 
-    /** Environment variable that specifies the folder with the solutions; {@code off} means that no solutions are shown. */
+    /** Environment variable that specifies the folder with the solutions; with {@code off}, no solutions are shown. */
     public static final String SWITCH = "ROBONEWBIE_SOLUTIONS";
 
     /** A repository without solutions. */
@@ -116,7 +116,7 @@ public record SolutionRepository(Source source) {
     }
 
     /**
-     * Checks whether there is a solution that the teacher has not locked.
+     * Checks whether there is a solution that has not been locked by the teacher.
      *
      * @param exercise the exercise
      * @return whether the solution is shown after enough tries

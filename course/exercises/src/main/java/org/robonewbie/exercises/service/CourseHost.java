@@ -9,7 +9,7 @@ import org.robonewbie.exercises.Grade;
 /** Gives the {@link CourseService} access to a student's programs and to the displayed pitch. */
 public interface CourseHost {
 
-    /** Series of trials of one exercise with consecutive seeds. The student can watch them. */
+    /** Series of trials of one exercise with consecutive seeds, which the student can watch. */
     interface Attempt extends AutoCloseable {
 
         /** {@return the current status} */
@@ -34,18 +34,18 @@ public interface CourseHost {
      * Status of an attempt.
      *
      * @param state current stage
-     * @param port TCP port at which the student's agent is expected; 0 for none
+     * @param port TCP port on which the student's agent is expected; 0 for none
      * @param grade scores of the finished trials
      * @param output the latest output of the program, for debugging
      */
     record Status(State state, int port, Grade grade, String output) {}
 
-    /** {@return whether an agent that the student starts can be graded} */
+    /** {@return whether an agent started by the student can be graded} */
     default boolean acceptsAgents() {
         return true;
     }
 
-    /** {@return saved Java files that could solve an exercise} */
+    /** {@return the saved Java files that may be solutions to an exercise} */
     List<String> programs();
 
     /**
@@ -63,7 +63,7 @@ public interface CourseHost {
      *
      * @param exercise the exercise
      * @param id number of the attempt
-     * @param program a Java file or class; empty for an agent that the student starts
+     * @param program a Java file or class; empty for an agent started by the student
      * @param trials number of trials
      * @param judged receives the grade once all trials have been graded
      * @return the attempt

@@ -33,7 +33,7 @@ import org.robonewbie.exercises.progress.Worksheet;
  * DELETE attempt                    ends the attempt
  * POST   NAME?program=FILE&amp;trials=N starts an attempt
  * PUT    NAME                       writes the starter program
- * GET    NAME/help                  the opened hints
+ * GET    NAME/help                  the hints opened so far
  * POST   NAME/hint                  opens the next hint
  * POST   NAME/solution              returns the sample solution
  * </pre>

@@ -7,7 +7,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.simulator.json.Json;
 
-/** Writes the levels of the {@link FirstMinute}, with the texts that the page shows around them. */
+/** Writes the levels of the {@link FirstMinute}, with the accompanying text for the page. */
 record FirstMinuteWriter(Language language, Progress progress) {
 
     JsonObject json() {

@@ -42,7 +42,7 @@ public final class Completion {
     }
 
     /**
-     * Facilities of the compiler that has analysed the program.
+     * Utilities of the compiler that has analysed the program.
      *
      * @param trees utility for syntax trees
      * @param elements utility for classes and members
@@ -56,7 +56,7 @@ public final class Completion {
      * @param compiler the compiler, which has analysed the program with a {@link PartialWord}
      * @param unit the file that contains the cursor
      * @param begun the part of the identifier before the cursor
-     * @param documentation looks up the documentation of a member outside the program by class name and key, see {@link
+     * @param documentation looks up the documentation of a member outside the program by class name and key; see {@link
      *     CommentCollector}
      * @param typeNames full names of classes that are proposed where a type is expected
      * @return the proposals, the most likely ones first
@@ -133,7 +133,7 @@ public final class Completion {
         }
     }
 
-    /** Collects what can be used without qualification: variables, members of the enclosing classes, and types. */
+    /** Collects everything that can be used without qualification: variables, members of the enclosing classes, and types. */
     private void collectVisible(Scope scope) {
         for (@Nullable Scope each = scope; each != null; each = each.getEnclosingScope()) {
             each.getLocalElements().forEach(found::add);

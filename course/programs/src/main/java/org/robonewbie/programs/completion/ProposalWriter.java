@@ -54,7 +54,7 @@ final class ProposalWriter {
         return type.toString().replaceAll("@\\S+ ", "").replaceAll("\\b[a-z]\\w*\\.", "");
     }
 
-    /** Returns the comment in the student's own source, or else the one in the packaged documentation. */
+    /** Returns the comment in the student's own source or, if there is none, in the packaged documentation. */
     private String documentation(Element element) {
         String own = elements.getDocComment(element);
         if (own != null) {

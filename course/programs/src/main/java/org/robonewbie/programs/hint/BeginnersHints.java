@@ -2,7 +2,7 @@ package org.robonewbie.programs.hint;
 
 import java.util.List;
 
-/** Advice on the compiler errors that beginners cause most often. */
+/** Advice on the compiler errors that beginners encounter most often. */
 final class BeginnersHints {
 
     private record Hint(String code, String text) {}

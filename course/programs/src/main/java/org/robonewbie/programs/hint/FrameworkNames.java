@@ -75,7 +75,7 @@ public record FrameworkNames(
             .distinct()
             .toList();
 
-    /** Methods of every object, which are never proposed. */
+    /** Methods that every object has; never proposed. */
     private static final List<String> INHERITED = List.of("equals", "hashCode", "toString");
 
     /**

@@ -12,12 +12,12 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Advice for compiler diagnostics: the missing import, the framework name that was probably meant, or general advice for this
- * kind of error.
+ * Advice for compiler diagnostics: the missing import, the name from the framework that was probably meant, or general advice
+ * on this kind of error.
  */
 public final class Hints {
 
-    /** Matches the location in a message, for example {@code location: class org.robonewbie.nao.motion.Posture}. */
+    /** Matches the location in a message, such as {@code location: class org.robonewbie.nao.motion.Posture}. */
     private static final Pattern OWNER =
             Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
@@ -122,8 +122,8 @@ public final class Hints {
     }
 
     /**
-     * Removes follow-up errors caused by missing or misspelt imports: the compiler reports every later use of such a name as
-     * well.
+     * Removes follow-up errors caused by missing or misspelt imports: the compiler also reports every later use of such a
+     * name.
      *
      * @param all all diagnostics in the compiler's order
      * @param remark converts an element to a diagnostic
@@ -182,7 +182,7 @@ public final class Hints {
                 .filter(question -> !question.isEmpty());
     }
 
-    /** Lists the methods of the class, as advice if none has a similar name. */
+    /** Lists the methods of the class, as advice for when none has a similar name. */
     private Optional<String> offers(Remark remark) {
         Optional<String> owner = remark.isUnknownName() ? owner(remark) : Optional.empty();
         return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");

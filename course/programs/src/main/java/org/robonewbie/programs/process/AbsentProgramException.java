@@ -8,7 +8,7 @@ public final class AbsentProgramException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message a sentence that says what happened
+     * @param message what happened, as a sentence
      */
     public AbsentProgramException(String message) {
         super(message);
@@ -17,7 +17,7 @@ public final class AbsentProgramException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message a sentence that says what happened
+     * @param message what happened, as a sentence
      * @param cause the I/O failure
      */
     public AbsentProgramException(String message, Throwable cause) {

@@ -58,11 +58,11 @@ public final class ChildProcess implements AutoCloseable {
      * Starts a program. If there are limits, environment variables that configure a JVM are removed.
      *
      * @param command program and arguments
-     * @param folder its working directory
-     * @param isAlone whether no other program uses this directory, so that it identifies processes that have detached
-     *     themselves from the tree
-     * @param output the capture of its output
-     * @param limits its resource limits
+     * @param folder the program's working directory
+     * @param isAlone whether no other program uses this directory, in which case it identifies processes that have
+     *     detached themselves from the tree
+     * @param output captures the program's output
+     * @param limits the program's resource limits
      * @return the running program
      * @throws IOException if it cannot be started
      */
@@ -113,7 +113,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return the capture of its output} */
+    /** {@return the captured output} */
     public ProgramOutput output() {
         return output;
     }
@@ -124,8 +124,8 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Passes the turn from the program to the simulated world or back; each computes in its turn and waits during the
-     * other's. The program has the first turn, in which it connects its robot.
+     * Passes the turn from the program to the simulated world or back; each of them computes during its own turn and
+     * waits during the other's. The program has the first turn, in which it connects its robot.
      */
     public void passTurn() {
         turns.next();
@@ -149,7 +149,7 @@ public final class ChildProcess implements AutoCloseable {
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether a process of the program owns that end; false if the system does not report that
+     * @return whether a process of the program owns that end; false if this is not known
      */
     public boolean holds(int ownPort, int otherPort) {
         return processes.holds(ownPort, otherPort);
@@ -187,7 +187,7 @@ public final class ChildProcess implements AutoCloseable {
      * Waits until the program ends.
      *
      * @param seconds timeout in seconds
-     * @return whether it has ended
+     * @return whether the program has ended
      */
     public boolean awaitEnd(double seconds) {
         try {
@@ -198,7 +198,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return the limit that the program was killed for exceeding; empty if there is none} */
+    /** {@return the limit that the program exceeded; empty if it was not killed for this reason} */
     public Optional<Excess> excess() {
         if (excess.isEmpty() && !isRunning()) {
             output.await();

@@ -12,8 +12,8 @@ import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.SourceFolder;
 
 /**
- * Compiles in a child process. In a sandbox, the compiler can read only the files of the program, so its messages cannot quote
- * any other file.
+ * Compiles in a child process. In a sandbox, the compiler can read only the program's files, so its messages cannot quote any
+ * other files.
  *
  * @param sandbox the sandbox in which the compiler runs
  */

@@ -6,7 +6,7 @@ package org.robonewbie.programs.process;
  * @param cause the cause
  * @param text the exception, the line of an infinite loop, the reason for slowness or the exit code, depending on the
  *     cause; may be empty
- * @param advice what to do about it, if that depends on the program; otherwise empty
+ * @param advice what to do about it, if this depends on the program; otherwise empty
  */
 public record Departure(Cause cause, String text, String advice) {
 

@@ -65,7 +65,7 @@ final class GuestController implements Controller {
         }
     }
 
-    /** Reads the agent's commands for one cycle. If the agent synchronises, they end with {@code (syn)}. */
+    /** Reads the agent's commands for one cycle. If the agent synchronises, the commands end with {@code (syn)}. */
     private List<EffectorCommand> listen() throws IOException {
         List<EffectorCommand> commands = new ArrayList<>();
         boolean complete = false;

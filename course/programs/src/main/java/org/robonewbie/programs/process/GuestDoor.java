@@ -18,8 +18,8 @@ import java.util.function.Predicate;
 import org.robonewbie.trial.Controller;
 
 /**
- * Port through which agents in other processes join a trial. It uses the protocol of the simulator, so that agents in
- * any language can join.
+ * Port through which agents in other processes join a trial. It uses the simulator's protocol, so that agents in any
+ * language can join.
  *
  * <pre>{@code
  * try (GuestDoor door = GuestDoor.open(0)) {

@@ -13,10 +13,10 @@ import org.robonewbie.programs.ClassPath;
  */
 public final class JavaCommand {
 
-    /** Default maximum heap of a program in megabytes. */
+    /** Default maximum heap size of a program in megabytes. */
     public static final int MEGABYTES = 512;
 
-    /** JVM option for programs that compute little: speeds up their start by disabling the optimising compiler. */
+    /** JVM option for programs that do little computation: speeds up their start by disabling the optimising compiler. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";
@@ -38,8 +38,8 @@ public final class JavaCommand {
     /**
      * Returns the command line that runs {@link ProgramMain}.
      *
-     * @param megabytes maximum heap in megabytes
-     * @param options other options of the JVM
+     * @param megabytes maximum heap size in megabytes
+     * @param options other options for the JVM
      * @param classPath the class path
      * @param arguments the arguments of {@link ProgramMain}
      * @return program and arguments
@@ -54,7 +54,7 @@ public final class JavaCommand {
     /**
      * Returns a command line.
      *
-     * @param options options of the JVM
+     * @param options options for the JVM
      * @param classPath the class path
      * @param mainClass name of the main class
      * @param arguments its arguments

@@ -3,11 +3,11 @@ package org.robonewbie.programs.process;
 /**
  * Resource limits of a program.
  *
- * @param memoryMegabytes memory for the program's data in megabytes; for a Java program, the heap
+ * @param memoryMegabytes memory for the program's data in megabytes; for a Java program, the heap size
  * @param processorSeconds processor time of all processes of the program, in seconds
  * @param silentSeconds maximum response time in seconds, measured as computing and sleeping time if the program's robots
  *     are alone on the pitch, otherwise as elapsed time
- * @param startSeconds maximum time in seconds for connecting the robots, measured in the same way
+ * @param startSeconds maximum time for connecting the robots, in seconds, measured in the same way
  * @param realSeconds maximum elapsed time of a trial with two teams, and maximum total sleeping time in other trials, in
  *     seconds
  */

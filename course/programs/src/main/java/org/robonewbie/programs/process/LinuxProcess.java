@@ -46,7 +46,8 @@ final class LinuxProcess {
      *
      * @param ownPort port of this end
      * @param otherPort port of the other end
-     * @return the name by which file descriptors refer to the socket, such as {@code socket:[4711]}; empty if there is none
+     * @return the name that identifies the socket in file descriptors, such as {@code socket:[4711]}; empty if there is
+     *     none
      */
     static Optional<String> socket(int ownPort, int otherPort) {
         String own = String.format(":%04X", ownPort);
@@ -69,7 +70,7 @@ final class LinuxProcess {
      * Finds processes, including daemons, by their inherited environment or their working directory.
      *
      * @param mark text that the environment of a process must contain
-     * @param folder working directory or a parent of it; empty if other programs may use it too
+     * @param folder working directory or a parent of it; empty if other programs may also use it
      * @return process identifiers
      */
     static List<Long> marked(String mark, Optional<Path> folder) {
@@ -94,7 +95,7 @@ final class LinuxProcess {
         }
     }
 
-    /** Returns the entries of a folder; none if it does not exist. */
+    /** Returns the entries of a folder; an empty list if it does not exist. */
     private static List<Path> entries(Path folder) {
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.toList();

@@ -13,8 +13,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 
 /**
  * The process that started this one with {@link ChildProcess}. Calls arrive as lines on standard input, which is hidden from
- * the program; answers are interleaved with the program's output. This process ends, with its descendants, when the parent
- * ends.
+ * the program; answers are interleaved with the program's output. When the parent ends, this process and its descendants end
+ * as well.
  */
 public final class ParentProcess {
 
@@ -24,7 +24,7 @@ public final class ParentProcess {
     private ParentProcess() {}
 
     /**
-     * Takes over the standard input of this process, so that the program cannot read it.
+     * Takes over this process's standard input, so that the program cannot read it.
      *
      * @return the parent
      */
@@ -44,7 +44,7 @@ public final class ParentProcess {
                 calls.add(line);
             }
         } catch (IOException gone) {
-            // An error is treated like the end of the input.
+            // An error is treated as the end of the input.
         }
         ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
         Runtime.getRuntime().halt(1);

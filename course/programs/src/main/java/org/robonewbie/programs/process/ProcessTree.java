@@ -11,15 +11,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * The process of an untrusted program and all of its descendants. On Linux, daemons are found by a variable in their
- * environment or by their working directory.
+ * The process of an untrusted program and all of its descendants. On Linux, daemons are identified by a variable in
+ * their environment or by their working directory.
  */
 public final class ProcessTree implements AutoCloseable {
 
     private static final String MARK = "ROBONEWBIE_PROGRAM";
     private static final long SECONDS_TO_END = 3;
 
-    /** Number of times that the tree is killed, because a process may fork just before it is killed. */
+    /** Number of times to kill the tree, because a process may fork just before it is killed. */
     private static final int ROUNDS = 3;
 
     private final Process process;
@@ -52,7 +52,7 @@ public final class ProcessTree implements AutoCloseable {
         return process;
     }
 
-    /** {@return whether the system reports which process owns a connection, so that {@link #holds} is reliable} */
+    /** {@return whether the system reports which process owns a connection; otherwise, {@link #holds} is unreliable} */
     public static boolean hasConnections() {
         return LinuxProcess.hasConnections();
     }
@@ -62,7 +62,7 @@ public final class ProcessTree implements AutoCloseable {
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether one of the processes owns that end; false if the system does not report that
+     * @return whether one of the processes owns that end; false if this is not known
      */
     public synchronized boolean holds(int ownPort, int otherPort) {
         Optional<String> socket = LinuxProcess.socket(ownPort, otherPort);
@@ -77,7 +77,7 @@ public final class ProcessTree implements AutoCloseable {
         return seen.stream().anyMatch(handle -> LinuxProcess.holds(handle.pid(), socket));
     }
 
-    /** Looks for new processes and returns all that have ever been found, whether or not they are still running. */
+    /** Looks for new processes and returns all processes found so far, whether or not they are still running. */
     synchronized Set<ProcessHandle> look(boolean alsoRunaways) {
         findChildren();
         if (alsoRunaways) {

@@ -20,7 +20,7 @@ import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.SourceFolder;
 import org.robonewbie.programs.StudentsAgents;
 
-/** Main class of child processes. Prepares the environment and performs the task that the first argument selects. */
+/** Main class of child processes. Prepares the environment and performs the task selected by the first argument. */
 public final class ProgramMain {
 
     /** Task that runs a class. Further arguments: the name of the class and the arguments of its main method. */
@@ -32,7 +32,7 @@ public final class ProgramMain {
     /** Task that provides robots for a {@link RobotProcess}. Further arguments: program and class path. */
     static final String ROBOTS = "robots";
 
-    /** Task that waits for the call from a {@link WaitingProcess}. */
+    /** Task that waits for a call from a {@link WaitingProcess}. */
     static final String CALL = "call";
 
     /** Task that runs a program for each call from a {@link WorkerPool}. Further arguments: program and class path. */
@@ -82,8 +82,8 @@ public final class ProgramMain {
     }
 
     /**
-     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the
-     * simulator. For grading, in which each trial has a separate port, only links the files.
+     * In a sandbox, copies the program's files into the empty home folder and opens a local port that is forwarded to
+     * the simulator. For grading, where each trial has a separate port, only links the files.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
@@ -139,10 +139,7 @@ public final class ProgramMain {
         return new StudentsAgents(types);
     }
 
-    /**
-     * Rejects programs that extend the example team, because that team would solve exercises that require the students' own
-     * ideas.
-     */
+    /** Rejects programs that extend the example team, which would solve exercises that require students' own ideas. */
     private static void rejectExampleTeam(Class<?> program) {
         for (Class<?> type = program; type != null; type = type.getSuperclass()) {
             if (type.getName().startsWith(EXAMPLE_TEAM)) {

@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 
 /**
  * Captures the output of a process, up to a maximum size. A thread reads continuously, so the program never blocks on a
- * full pipe. Lines that begin with {@link #ANSWER} are answers to calls, see {@link ParentProcess}.
+ * full pipe. Lines that begin with {@link #ANSWER} are answers to calls; see {@link ParentProcess}.
  */
 public final class ProgramOutput {
 
@@ -146,7 +146,7 @@ public final class ProgramOutput {
         lines.accept(text);
     }
 
-    /** Decodes output as UTF-8 or, if it is not valid UTF-8, in the system's encoding. */
+    /** Decodes output as UTF-8 or, if it is not valid UTF-8, with the system's encoding. */
     private static String decoded(byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, Charset.defaultCharset());

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Accelerations M⁻¹ Jᵀ λ that the constraint forces of an island cause, for the selected bodies.
+ * Accelerations M⁻¹ Jᵀ λ of the selected bodies, caused by the constraint forces of an island.
  *
  * <p>The LCP solver needs them twice per iteration, so the data is kept in contiguous arrays instead of in objects
  * scattered in memory. Contributions are summed in the order of the island's joints. Joints and bodies are identified by

@@ -102,7 +102,8 @@ final class BlockCholesky {
 
     /**
      * Recomputes the invalid columns. A column depends on every earlier column that has a block in its row. It is enough
-     * to invalidate the column of the first block below the diagonal, because it is the parent in the elimination tree.
+     * to invalidate the column of the first block below the diagonal, because that column is the parent in the
+     * elimination tree.
      */
     void factorise(byte[] state) {
         for (int k = 0; k < factorization.joints(); k++) {

@@ -10,8 +10,8 @@ final class BlockKernels {
     private BlockKernels() {}
 
     /**
-     * target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. If left and right
-     * are the same block, the result is symmetric and its upper half is undefined.
+     * target -= left · rightᵀ, where left is height × inner, right is width × inner and target is height × width. If left and
+     * right are the same block, the result is symmetric and its upper half is undefined.
      */
     static void subtractProduct(double[] m, int left, int right, int target, int height, int width, int inner) {
         if (inner == 6) {
@@ -31,8 +31,8 @@ final class BlockKernels {
     }
 
     /**
-     * Replaces a row and column of a diagonal block, and the same column in the blocks below it, by those of the identity
-     * matrix.
+     * Replaces a row and a column of a diagonal block, and the same column in the blocks below it, with those of the
+     * identity matrix.
      */
     static void replaceByUnit(double[] m, int start, int width, int height, int index) {
         for (int c = 0; c < index; c++) {

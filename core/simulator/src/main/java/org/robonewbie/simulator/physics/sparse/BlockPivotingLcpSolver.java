@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * Block principal pivoting solver for the linear complementarity problem (LCP) of the constraint forces: every row is either
- * satisfied or has its force at a limit.
+ * satisfied or has a force at its limit.
  *
  * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free row
  * whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are pivoted
@@ -204,7 +204,7 @@ final class BlockPivotingLcpSolver {
         return pushed;
     }
 
-    /** Counts the infeasible rows. Computes accelerations only for bodies that have a row at its limit. */
+    /** Counts the infeasible rows. Computes accelerations only for bodies with a row at its limit. */
     private int countInfeasible() {
         accelerations.selectAll(false);
         boolean any = false;

@@ -42,7 +42,7 @@ final class ConstraintRows {
     double[] force = {};
     /** {@link #FREE}, {@link #LOW} or {@link #HIGH}. */
     byte[] state = {};
-    /** State of each row that the last iteration suggests for the next one. */
+    /** State of each row for the next iteration, as suggested by the last one. */
     byte[] nextState = {};
     /** Right-hand side of the linear system and, after it has been solved, its solution. */
     double[] solution = {};

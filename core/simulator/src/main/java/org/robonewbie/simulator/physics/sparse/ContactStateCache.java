@@ -33,7 +33,7 @@ final class ContactStateCache {
         }
     }
 
-    /** Returns the state of the normal row of a stored contact within 1 mm of a point; free if there is none. */
+    /** Returns the state of the normal row of a stored contact within 1 mm of a point; free if there is no such contact. */
     byte stateAt(Body body, double[] point) {
         if (count > 0) {
             body.toLocal(point, local, 0);

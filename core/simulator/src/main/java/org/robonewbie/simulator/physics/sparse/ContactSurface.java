@@ -15,7 +15,7 @@ import org.robonewbie.simulator.physics.Material;
  */
 record ContactSurface(double errorReduction, double softness, double slip, double restitution, double minimumVelocity) {
 
-    /** Contact surface between two materials that specify no values of their own. */
+    /** Contact surface between two materials that specify no values. */
     static final ContactSurface HARD = of(
             new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()), 1);
 

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.physics.MotorHinge;
  * Hinge joint with motor and stops, equivalent to ODE's ({@code joints/hinge.cpp}, {@code dxJointLimitMotor}).
  *
  * <p>It has six rows: three keep the anchors together, two align the axes, and the sixth is the motor, or a stop while the angle
- * is at or beyond it.
+ * is at or beyond the stop.
  */
 final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable {
 
@@ -27,7 +27,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     private final Body parent;
     private final HingeDefinition definition;
     /**
-     * Anchors, axes and initial orientation in one array, to occupy little of the processor's cache, which hundreds of
+     * Anchors, axes and initial orientation in one array, to save space in the processor's cache, which hundreds of
      * robots may share.
      */
     private final double[] fixed = new double[16];

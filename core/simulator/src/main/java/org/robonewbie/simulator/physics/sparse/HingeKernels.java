@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics.sparse;
 
 /**
  * {@link BlockKernels} unrolled for hinges, which have six rows, so that a block stays in registers. Nearly all joints of
- * a robot are hinges. Terms are summed in the same order as there.
+ * a robot are hinges. Terms are summed in the same order as in the general kernels.
  */
 final class HingeKernels {
 
@@ -98,7 +98,7 @@ final class HingeKernels {
 
     /**
      * Like {@link BlockKernels#factorise}, but the processor can compute the first three columns of the rows below while
-     * it still computes the square roots and reciprocals of the other three.
+     * it is still computing the square roots and reciprocals of the other three.
      */
     static void factorise(double[] m, int start, int end, double[] inverse, int at) {
         double a = Math.sqrt(m[start]);

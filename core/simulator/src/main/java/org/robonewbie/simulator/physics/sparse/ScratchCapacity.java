@@ -20,8 +20,8 @@ final class ScratchCapacity {
      * Chooses the length of the array.
      *
      * @param length current length
-     * @param needed length that the next island needs
-     * @return the current length if the array can stay, otherwise the length of a new array, at least {@code needed}
+     * @param needed length required by the next island
+     * @return the current length if the array can be kept, otherwise the length of a new array, at least {@code needed}
      */
     int fit(int length, int needed) {
         boolean oversized = length > minLength && needed < length / OVERSIZE_FACTOR;

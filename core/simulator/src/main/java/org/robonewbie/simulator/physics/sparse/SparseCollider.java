@@ -18,7 +18,7 @@ final class SparseCollider implements Collider {
     /**
      * Creates a collider.
      *
-     * @param body the body that carries it; null for ground, walls and triggers
+     * @param body the body to which it is attached; null for ground, walls and triggers
      * @param material index of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
      * @param owner the object it belongs to
      * @param contactLimit contact limit of the robot; null for everything else

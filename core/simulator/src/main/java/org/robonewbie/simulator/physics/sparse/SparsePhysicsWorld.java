@@ -17,8 +17,8 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 /**
  * Physics world with a sparse LCP solver and ODE's collision detection.
  *
- * <p>Settings are those of SimSpark, and so are the orders in which islands are built and shapes are moved, because they
- * determine the order of contacts.
+ * <p>Settings are SimSpark's. Islands are built and shapes are moved in the same order as in SimSpark, because this
+ * determines the order of contacts.
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 

@@ -33,8 +33,8 @@ final class SymbolicFactorization {
     /** Storage offset of each block in {@link #below}. */
     int[] belowOffset = {};
     /**
-     * Storage offset of each diagonal block, which the column's other blocks follow. The final entry is the total storage
-     * size.
+     * Storage offset of each diagonal block, which is followed by the column's other blocks. The final entry is the total
+     * storage size.
      */
     int[] diagonalOffset = {0};
     /** Start of each column in {@link #updates}, followed by the total length. */
@@ -185,7 +185,7 @@ final class SymbolicFactorization {
     }
 
     /**
-     * Schedules the updates of one column: the products of a block of the source column, named right, with itself and with each
+     * Schedules the updates of one column: the products of a block {@code right} of the source column with itself and with each
      * block below it.
      */
     private void scheduleUpdates(int source, int right, int end) {

@@ -3,8 +3,8 @@
  *
  * <p><b>Equations.</b> A step of length h computes the velocities after the step. Each joint constrains them, row by row:
  * {@code J v = c - C λ}, where J is the Jacobian of the row, c its target speed (for example a fraction of the joint error per
- * step), λ the constraint force and C its softness (ODE's constraint force mixing, CFM). Forces change velocities by Newton's
- * law, {@code v = v0 + h M⁻¹ (f + Jᵀ λ)}. Together, this is a linear system for the forces,
+ * step), λ the constraint force and C its softness (ODE's constraint force mixing, CFM). Forces change velocities according to
+ * Newton's law, {@code v = v0 + h M⁻¹ (f + Jᵀ λ)}. Together, these equations form a linear system for the forces,
  *
  * <pre>{@code (J M⁻¹ Jᵀ + C / h) λ = c / h - J (v0 / h + M⁻¹ f)      A λ = b}</pre>
  *
