@@ -62,7 +62,7 @@ public class Agent_Team extends Agent {
     private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Creates a player that gets any free number. */
+    /** Creates a player with any free number. */
     public Agent_Team() {
         this(0);
     }

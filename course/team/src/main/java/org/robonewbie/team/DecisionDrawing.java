@@ -11,8 +11,8 @@ import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Draws a player's beliefs and decisions in the studio: role, path, ball and its predicted path, target of the ball, and
- * receiver of a pass. Each of the striker's options is a ray from the ball: the longer the ray, the higher the gain.
+ * Draws a player's beliefs and decisions in the studio: its role and path, the ball with its predicted path and target, and
+ * the receiver of a pass. Each of the striker's options is a ray from the ball: the longer the ray, the higher the gain.
  */
 final class DecisionDrawing {
 

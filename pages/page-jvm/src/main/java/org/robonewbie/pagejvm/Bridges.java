@@ -41,7 +41,7 @@ import org.robonewbie.nao.motion.Interpolation;
  */
 final class Bridges {
 
-    /** Calls an interface method, given by its name, on the student's object. */
+    /** Calls an interface method on the student's object by name. */
     private interface Call {
         @Nullable
         Object of(String method, @Nullable Object... arguments);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The parts of a class file (Java Virtual Machine Specification, chapter 4) that are relevant for execution.
+ * The parts of a class file (Java Virtual Machine Specification, chapter 4) that are relevant to execution.
  *
  * @param name internal name of the class, such as {@code java/lang/String}
  * @param superName internal name of the superclass

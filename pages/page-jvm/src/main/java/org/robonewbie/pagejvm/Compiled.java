@@ -16,7 +16,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.Member;
 
-/** Reflective access to the compiled classes: the framework and Java's library. */
+/** Reflective access to the compiled classes: the framework and the Java library. */
 final class Compiled {
 
     /** Classes with methods that the machine executes itself. */
@@ -88,7 +88,7 @@ final class Compiled {
         return known(name).isPresent();
     }
 
-    /** {@return whether a field or method exists, as far as this is known before the program runs} */
+    /** {@return whether a field or method exists, as far as this can be determined before the program runs} */
     boolean has(Member member) {
         if (!isKnown(member.owner())) {
             return false;

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Stack frame of a student's method: program counter, local variables and operand stack. Booleans, bytes, characters and shorts are
- * represented as {@code Integer}, as in the virtual machine; a {@code long} and a {@code double} take one stack entry.
+ * represented as {@code Integer}, as in the virtual machine; a {@code long} or {@code double} takes a single stack entry.
  */
 final class Frame {
 

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Interpreter for a student's program with an explicit call stack. A call that waits, such as {@code nao.sense()}, suspends the program
- * between two instructions; {@link #resume} continues when its result is available.
+ * between two instructions; {@link #resume} continues it once the result is available.
  *
  * <pre>{@code
  * Machine machine = new Machine(new Program(classFiles), System.out, SpecialCalls.NONE);
@@ -117,7 +117,7 @@ public final class Machine {
         return frames.isEmpty();
     }
 
-    /** Signals a new message from the simulator, which resets the instruction count. */
+    /** Resets the instruction count. Call this when a new message from the simulator has arrived. */
     public void newCycle() {
         stepsLeft = STEPS_PER_CYCLE;
         stepsLeftAtNextCheck = STEPS_PER_CYCLE - SLOW_STEPS;
@@ -198,7 +198,7 @@ public final class Machine {
         Instructions.execute(frame, this);
     }
 
-    /** Stops an infinite loop. Reports a program that is slow in many cycles, but only once. */
+    /** Stops an infinite loop. Also reports, once, that a program is slow in many cycles. */
     private void checkTime() {
         if (stepsLeft < 0) {
             throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);

@@ -46,8 +46,7 @@ final class Members {
     }
 
     /**
-     * Starts the static initialiser of a class if it has not run yet. If so, returns true, and the instruction is
-     * repeated afterwards.
+     * Starts a class's static initialiser if it has not run yet. Returns true in that case; the instruction is repeated later.
      */
     private boolean mustWaitForInitialiser(Frame frame, StudentClass type) {
         if (!machine.initialise(type)) {
@@ -116,7 +115,7 @@ final class Members {
     }
 
     /**
-     * Calls a method of an object: the student's implementation if there is one, otherwise that of a compiled class.
+     * Calls a method on an object: the student's implementation if there is one, otherwise that of a compiled class.
      */
     private void call(Frame frame, Member method, Descriptor type, Object target, @Nullable Object[] arguments) {
         if (target instanceof Lambda lambda && lambda.isCalledBy(method.name(), program)) {

@@ -57,7 +57,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return the Java names of classes and methods that the program uses but the page lacks} */
+    /** {@return the Java names of classes and methods that the program uses but the page does not provide} */
     public List<String> missing() {
         return classes.values().stream()
                 .flatMap(type -> type.file().constants().stream())

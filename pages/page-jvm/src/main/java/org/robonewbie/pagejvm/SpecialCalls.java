@@ -2,7 +2,7 @@ package org.robonewbie.pagejvm;
 
 import org.jspecify.annotations.Nullable;
 
-/** Methods that the interpreter executes by other means than their bytecode, such as those that wait. */
+/** Methods that the interpreter executes without using their bytecode, such as those that wait. */
 public interface SpecialCalls {
 
     /** Result for a method that is not replaced. */

@@ -28,7 +28,7 @@ public final class StudentFields {
     }
 
     /**
-     * Updates a robot with the values in which two instances of its class differ, including objects reachable through its fields.
+     * Copies to a robot the values that differ between two instances of its class, including objects reachable through its fields.
      *
      * @param old the old instance
      * @param fresh the new instance, whose values are copied

@@ -70,7 +70,7 @@ final class StudentObjects {
         return program.find(name).isEmpty() && program.compiled().type(name).isInstance(value);
     }
 
-    /** {@return the class name of an object, for messages} */
+    /** {@return the class name of an object, for use in messages} */
     static String className(Object value) {
         return value instanceof StudentObject own
                 ? own.type().simpleName()

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Maps project files to addresses of the site. The folder {@code docs} is the root of the site, {@code README.md} is the first page of its
+ * Maps project files to addresses on the site. The folder {@code docs} is the root of the site, {@code README.md} is the first page of its
  * folder, and addresses consist of lower-case letters, digits and hyphens.
  */
 final class Addresses {

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 
-/** Identifies the commit that a folder of the project is built from. */
+/** Identifies the commit from which a project folder is built. */
 final class Commit {
 
     /** File whose contents {@code git archive} replaces with the full commit id; see {@code .gitattributes}. */

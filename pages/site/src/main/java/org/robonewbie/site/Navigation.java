@@ -14,8 +14,8 @@ import org.commonmark.node.Link;
 import org.commonmark.node.Node;
 
 /**
- * Table of contents. The start page defines chapters by its headings, one for each kind of reader, and pages by its links; other pages of a
- * folder are nested below the folder's first page.
+ * Table of contents. The headings of the start page define the chapters, one for each kind of reader, and its links define their pages; the
+ * other pages of a folder are nested below the folder's first page.
  */
 final class Navigation {
 

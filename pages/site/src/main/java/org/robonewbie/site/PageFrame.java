@@ -42,7 +42,7 @@ final class PageFrame {
         return fill(address, title, Optional.empty(), "", "", html);
     }
 
-    /** Escapes a text for HTML. */
+    /** Escapes text for HTML. */
     static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")

@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Renders project files that pages refer to, such as sources of examples, so that the site is self-contained.
+ * Renders project files that pages refer to, such as example sources, so that the site is self-contained.
  */
 final class SourcePages {
 

@@ -6,7 +6,7 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
 
-/** Adds to a worksheet what is derived from its exercise: goal, commands, times and links. */
+/** Adds the content that is derived from an exercise to its worksheet: goal, commands, times and links. */
 final class WorksheetTemplate {
 
     private static final Path FOLDER = Path.of("docs", "exercises");
@@ -57,7 +57,7 @@ final class WorksheetTemplate {
 
     private WorksheetTemplate() {}
 
-    /** Returns the completed text of a worksheet, or that of any other page unchanged. */
+    /** Returns the completed text of a worksheet; returns any other page unchanged. */
     static String fill(Path page, String markdown) {
         for (Language language : Language.values()) {
             for (Exercise exercise : Exercises.all()) {

@@ -36,7 +36,7 @@
       .replace(/\p{Mn}/gu, '')
       .toLowerCase();
 
-  /** Splits a text into words; also returns the parts of names such as getJointAngle. */
+  /** Splits text into words; also returns the parts of names such as getJointAngle. */
   function tokenize(text) {
     return text.split(/[^\p{L}\p{N}]+/u).flatMap((word) => {
       const parts = word.replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2').split(' ');
@@ -48,7 +48,7 @@
     return STOP_WORDS.has(word.toLowerCase()) ? null : folded(word).replace(/^(.{4,})(?:ing|ed|s)$/, '$1');
   }
 
-  /** Ranks sections higher if they have the same language or the same readers as this page. */
+  /** Ranks sections higher if they are in the same language or intended for the same readers as this page. */
   function boostDocument(id) {
     const section = globalThis.searchIndex[id];
     return (section.language === language ? 1 : 0.3) * (section.part === part ? 2 : 1);

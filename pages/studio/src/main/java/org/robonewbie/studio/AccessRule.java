@@ -5,7 +5,7 @@ import java.util.Set;
 import org.robonewbie.studio.board.EventBus;
 
 /**
- * Access control of the studio: only pages that this server delivered as localhost or 127.0.0.1 may use it.
+ * Access control of the studio: only pages loaded from this server as localhost or 127.0.0.1 may use it.
  *
  * <p>The Host header is checked to prevent DNS rebinding, the Origin header because any site can open a WebSocket to
  * localhost, and the cookie because other users of this computer can connect too.
@@ -55,7 +55,9 @@ final class AccessRule {
         return Optional.empty();
     }
 
-    /** A page from another port of this computer also sends the cookie, but with the Sec-Fetch-Site header {@code same-site}. */
+    /**
+     * A page from another port on this computer also sends the cookie, but with the Sec-Fetch-Site header {@code same-site}.
+     */
     private static Optional<String> refusalOfUse(
             boolean isLive, String method, String origin, String site, boolean isSignedIn) {
         if (FOREIGN_SITES.contains(site)) {

@@ -16,10 +16,10 @@ import java.util.HexFormat;
 import java.util.regex.Pattern;
 
 /**
- * One user's secret, from which the cookies of all studios are derived: 128 random bits, held only by this process and
- * its file.
+ * One user's secret, from which the cookies of all studios are derived: 128 random bits, stored only in this process and in
+ * a file.
  *
- * <p>The token lives for a day in a file that only this user can read, so that an open page can reconnect after the
+ * <p>The token is kept for a day in a file that only this user can read, so that an open page can reconnect after the
  * simulator has been restarted.
  *
  * @param text 32 hexadecimal digits
@@ -61,7 +61,7 @@ public record AccessToken(String text) {
     /**
      * Loads this user's token from {@code .robonewbie/studio-token} in the home directory.
      *
-     * @return the stored token, or an unsaved new one if the file is not accessible
+     * @return the stored token, or a new one that is not saved if the file is not accessible
      */
     public static AccessToken ofUser() {
         Path file = Path.of(System.getProperty("user.home", "."), ".robonewbie", "studio-token");

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * First-in, first-out queue of user commands. A command may block until the simulation has answered or until robots have
+ * First-in, first-out queue of user commands. A command may block until the simulation has responded or until robots have
  * joined.
  */
 interface CommandQueue extends AutoCloseable {

@@ -18,7 +18,7 @@ final class CourseApi extends ApiHandler {
     /**
      * Creates the endpoint.
      *
-     * @param course answers the requests; empty for a studio without exercises
+     * @param course handles the requests; empty for a studio without exercises
      */
     CourseApi(Optional<PageService> course) {
         this.course = course;

@@ -7,8 +7,8 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
 /**
- * Warnings and errors from all robots' programs, without duplicates. Sent to every page, regardless of which robot the page
- * watches.
+ * Warnings and errors from all robots' programs, without duplicates. Sent to every page, regardless of which robot is
+ * selected there.
  */
 final class DiagnosticsFeed {
 
@@ -26,7 +26,7 @@ final class DiagnosticsFeed {
         return Optional.empty();
     }
 
-    /** Forgets the messages of programs that have been replaced, so that recurring ones are reported again. */
+    /** Discards the messages of programs that have been replaced, so that recurring messages are reported again. */
     void clear() {
         sent.clear();
     }

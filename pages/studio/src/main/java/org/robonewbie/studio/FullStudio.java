@@ -16,7 +16,7 @@ public interface FullStudio {
      *
      * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
-     * @param program the program that plays in the simulation, until the studio replaces it
+     * @param program the program that is playing in the simulation, until it is replaced in the studio
      * @return the open studio
      * @throws IOException if the port cannot be opened
      */

@@ -174,7 +174,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         return watchedRobots.containsKey(robot);
     }
 
-    /** Queues the messages that a watched robot's agent exchanged. Drops them if the queue is full. */
+    /** Queues the messages exchanged by a watched robot's agent. Drops them if the queue is full. */
     @Override
     public void messagesExchanged(AgentMessages exchanged) {
         messages.offer(exchanged);

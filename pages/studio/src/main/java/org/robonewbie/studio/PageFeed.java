@@ -78,7 +78,7 @@ public final class PageFeed implements TelemetrySink {
         void show(byte[] frame);
 
         /**
-         * Stores a log entry or drawing alongside the recording of the world.
+         * Stores a log entry or drawing alongside the world's recording.
          *
          * @param note one line, as written by {@link NoteLines}
          */
@@ -147,17 +147,17 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Returns whether the page watches a robot's internals.
+     * Returns whether a robot's internals are displayed on the page.
      *
      * @param robot a robot
-     * @return whether the messages of its agent are needed
+     * @return whether its agent's messages are needed
      */
     public boolean watches(RobotSnapshot robot) {
         return telemetry.watches(TelemetryHistory.key(robot.team(), robot.number()));
     }
 
     /**
-     * Queues the messages that a watched robot's agent exchanged.
+     * Queues the messages exchanged by a watched robot's agent.
      *
      * @param robot the robot
      * @param messages the messages of one cycle

@@ -6,7 +6,7 @@ import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.studio.motion.PhysicalTrial;
 import org.robonewbie.studio.motion.RobotDescription;
 
-/** Answers the motion editor's requests locally, for a page without a server. */
+/** Handles the motion editor's requests locally, for a page without a server. */
 public final class PageMotions {
 
     private PageMotions() {}

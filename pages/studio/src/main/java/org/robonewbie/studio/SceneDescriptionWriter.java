@@ -97,7 +97,7 @@ final class SceneDescriptionWriter {
                 .toString();
     }
 
-    /** Returns the JSON message that shows the user a notice from the simulator. */
+    /** Writes a notice from the simulator to the user. */
     static String notice(String sentence) {
         return Json.object("kind", "told", "text", sentence).toString();
     }

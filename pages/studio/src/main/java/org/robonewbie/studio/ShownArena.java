@@ -13,15 +13,15 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.studio.program.Arena;
 import org.robonewbie.studio.scene.Checkpoint;
 
-/** The displayed pitch as the arena for programs from the editor. */
+/** The displayed pitch, used as the arena for programs from the editor. */
 final class ShownArena implements Arena {
 
     private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     /**
-     * Number of cycles that a new agent needs to receive its player number and move to its line-up position. A state
-     * that is restored earlier would confuse the agent.
+     * Number of cycles that a new agent needs to receive its player number and move to its line-up position. Restoring a
+     * state earlier would confuse the agent.
      */
     private static final int CYCLES_TO_SETTLE = 12;
 

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.json.Json;
 import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
- * WebSocket connection of a page that watches the simulation.
+ * WebSocket connection of a page that displays the simulation.
  *
  * <p>The next frame is sent only after the page has acknowledged the previous one, so a frozen or hidden page has at
  * most one frame in flight. An unchanged frame is repeated once per second as a keep-alive while the world is paused.
@@ -124,7 +124,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         send(session, texts, frame);
     }
 
-    /** Sends texts in order, then the frame. */
+    /** Sends the text messages in order, then the frame. */
     private static void send(Session session, List<String> texts, ByteBuffer frame) {
         if (texts.isEmpty()) {
             session.sendBinary(frame.duplicate(), Callback.NOOP);

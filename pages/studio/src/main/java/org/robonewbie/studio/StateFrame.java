@@ -26,7 +26,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  */
 final class StateFrame {
 
-    /** First byte of every frame. A page that expects a different version asks the user to reload it. */
+    /** First byte of every frame. A page that expects a different version prompts the user to reload it. */
     static final int VERSION = 1;
 
     private static final int HEADER_BYTES = 24;

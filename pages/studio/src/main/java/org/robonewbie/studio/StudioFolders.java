@@ -44,7 +44,7 @@ public record StudioFolders(
     }
 
     /**
-     * Returns the folders for a program that runs in the folder of its project.
+     * Returns the folders for a program that runs in its project folder.
      *
      * @return {@code motions} in the working directory, the user's recordings, and the recordings in the working directory
      *     and its subfolder {@code recordings}

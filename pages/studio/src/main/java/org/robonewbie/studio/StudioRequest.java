@@ -81,7 +81,7 @@ interface StudioRequest {
         }
     }
 
-    /** Undoes the latest change, or redoes the one that was undone last. */
+    /** Undoes the latest change, or redoes the most recently undone one. */
     enum History implements StudioRequest {
         UNDO {
             @Override

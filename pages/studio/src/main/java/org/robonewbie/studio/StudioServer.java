@@ -33,7 +33,7 @@ import org.robonewbie.studio.scene.SceneApi;
 import org.robonewbie.studio.service.PageService;
 
 /**
- * Studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
+ * Studio for one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
  *
  * <pre>{@code
  * try (StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
@@ -73,7 +73,7 @@ public final class StudioServer implements Viewer.View {
      *
      * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1, 0 for any free one
-     * @param token the secret of the user
+     * @param token the user's secret
      * @return the running studio
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -86,7 +86,7 @@ public final class StudioServer implements Viewer.View {
      *
      * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1, 0 for any free one
-     * @param token the secret of the user
+     * @param token the user's secret
      * @param folders the folders that the pages may access
      * @return the running studio
      * @throws IOException if the port cannot be opened; the message says what to do
@@ -104,7 +104,8 @@ public final class StudioServer implements Viewer.View {
     }
 
     /**
-     * Starts another studio on any free port. Browsers that are signed in to the first studio are signed in to both.
+     * Starts another studio on any free port. Browsers that are signed in to the first studio are also signed in to this
+     * one.
      *
      * @param simulation the simulation to show and control
      * @param first the studio that shares its sign-in
@@ -256,7 +257,7 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
-    /** {@return the drawings received through RoboViz's protocol} */
+    /** {@return the drawings received through the RoboViz protocol} */
     public RoboVizFeed drawings() {
         return feed.board();
     }

@@ -47,7 +47,7 @@ public final class StudioViewer implements Viewer {
     /**
      * Shows a simulation with the progress page of an event bus.
      *
-     * @param simulation the world that the studio's other pages show
+     * @param simulation the simulation shown on the studio's other pages
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
      * @param board the event bus; see {@link EventBus#page} for its address

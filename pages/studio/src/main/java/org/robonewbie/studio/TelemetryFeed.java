@@ -40,7 +40,7 @@ final class TelemetryFeed {
         return watched.equals(robot);
     }
 
-    /** Replays the history of a robot that the page has just begun to watch. */
+    /** Replays the history of a robot that has just been selected on the page. */
     void remember(TelemetryHistory memory) {
         if (isNew) {
             isNew = false;

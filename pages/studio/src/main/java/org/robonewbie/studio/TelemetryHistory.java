@@ -8,7 +8,7 @@ import java.util.Map;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Latest log lines and motion events of each robot, for pages that start to watch it later. Not thread-safe. */
+/** Latest log lines and motion events of each robot, for pages that select it later. Not thread-safe. */
 final class TelemetryHistory {
 
     private static final int MAX_MESSAGES = 500;
@@ -32,7 +32,7 @@ final class TelemetryHistory {
         }
     }
 
-    /** Forgets the telemetry of programs that have been replaced. */
+    /** Discards the telemetry of programs that have been replaced. */
     void clear() {
         robots.clear();
     }

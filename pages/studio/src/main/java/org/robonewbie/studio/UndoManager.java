@@ -25,7 +25,7 @@ final class UndoManager implements RestorableSimulation {
     private Optional<WorldChange> last = Optional.empty();
     private volatile Names names = new Names("", "");
 
-    /** Names of the commands that undo and redo apply to; empty for none. */
+    /** Names of the commands that would be undone and redone next; empty for none. */
     record Names(String undo, String redo) {}
 
     /**

@@ -30,7 +30,7 @@ public final class ProgramPlace {
      * Describes an exception.
      *
      * @param mistake the exception
-     * @return the text of the exception, with the program's line if it is known
+     * @return the exception's class and message, with the program's line if it is known
      */
     public static String of(Throwable mistake) {
         return mistake + in(mistake.getStackTrace()).map(line -> " in " + line).orElse("");

@@ -11,7 +11,10 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.file.Path;
 
-/** Relay from a TCP port to a Unix domain socket, through which programs in a sandbox without a network reach the simulator. */
+/**
+ * Relay from a TCP port to a Unix domain socket, through which programs in a sandbox without network access reach the
+ * simulator.
+ */
 final class Relay {
 
     private static final int CHUNK_BYTES = 1 << 16;

@@ -24,15 +24,15 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 /**
- * Child side of a {@link RobotProcess}: runs a robot with the student's program for each call, and reports why the robot has
- * left.
+ * Child side of a {@link RobotProcess}: runs a robot with the student's program for each call, and reports why each robot
+ * has left.
  */
 final class RobotHost {
 
-    /** Answer that reports that the program has been loaded. */
+    /** Answer sent once the program has been loaded. */
     static final String READY = "ready";
 
-    /** Prefix of the answer that reports why the program is slow. */
+    /** Prefix of the answer that explains why the program is slow. */
     static final String SLOW = "slow ";
 
     private static final String HERE = "127.0.0.1";
@@ -50,7 +50,7 @@ final class RobotHost {
     /**
      * Request for a robot.
      *
-     * @param id identifier of the request, with which its answers begin
+     * @param id identifier of the request; each answer to it begins with this number
      * @param door TCP port of the trial, or the name of its socket in the sandbox
      */
     record Call(int id, String door, String team, int number, TeamSide side) {
@@ -115,7 +115,7 @@ final class RobotHost {
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
             } catch (IOException disconnected) {
-                // The trial has closed the connection; there is no reason to report.
+                // The trial has closed the connection, which is not the program's fault.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {
@@ -153,7 +153,7 @@ final class RobotHost {
                 List<EffectorCommand> commands = driver.respond(reader.read(message));
                 commands.forEach(writer::write);
                 if (commands.isEmpty()) {
-                    writer.synchronise(); // holds the robot still after it has left the game
+                    writer.synchronise(); // keeps the robot still after it has left the game
                 }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");
@@ -164,7 +164,7 @@ final class RobotHost {
         }
 
         /**
-         * Stops a program that sleeps in its cycles, because a trial with it would take minutes. Slow computation is only
+         * Stops a program that sleeps during its cycles, because its trial would take minutes. Slow computation is only
          * reported.
          */
         private void noteSlowness(Slowness slowness) {
@@ -177,7 +177,7 @@ final class RobotHost {
             }
         }
 
-        /** Reports why the robot leaves and then closes its connection. Has no effect if called again. */
+        /** Reports why the robot is leaving, then closes its connection. Has no effect if called again. */
         private synchronized void leave(Departure why) {
             if (!gone) {
                 gone = true;

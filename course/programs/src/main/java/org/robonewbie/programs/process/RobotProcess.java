@@ -33,7 +33,7 @@ import org.robonewbie.trial.SensorReadings;
 
 /**
  * A student's program in a child process that provides robots for trials in this process. From the child, this process
- * receives only the robots' commands and the reasons for their departure.
+ * receives only the robots' commands and the reasons why they leave.
  *
  * <pre>{@code
  * try (RobotProcess program = new RobotProcess(request, sandbox, System.out::println);
@@ -45,7 +45,7 @@ import org.robonewbie.trial.SensorReadings;
 public final class RobotProcess implements AutoCloseable {
 
     /**
-     * Prefix of each line that the student's program prints, so that no line can be mistaken for output of the grader.
+     * Prefix of each line printed by the student's program, so that no line can be mistaken for the grader's output.
      */
     public static final String MARK = "  program| ";
 
@@ -86,7 +86,10 @@ public final class RobotProcess implements AutoCloseable {
                     readable, hiddenAtHome(), Optional.of(folder), Optional.of(sockets), Optional.empty());
         }
 
-        /** Returns the owner's keys and settings, to be hidden from a program whose folder is the home folder itself. */
+        /**
+         * Returns the files with the user's keys and settings, which are hidden if the program's folder is the home folder
+         * itself.
+         */
         private static List<Path> hiddenAtHome() {
             try (Stream<Path> entries = Files.list(Path.of(System.getProperty("user.home", "/")))) {
                 return entries.filter(
@@ -179,7 +182,7 @@ public final class RobotProcess implements AutoCloseable {
     }
 
     /**
-     * Opens a port on which the robots of one trial connect.
+     * Opens a port for the robots of one trial.
      *
      * @return the open port
      * @throws IOException if no port is free
@@ -192,7 +195,7 @@ public final class RobotProcess implements AutoCloseable {
         return new Entrance(address, name);
     }
 
-    /** Port on which the robots of one trial connect. Robots of concurrent trials are refused. */
+    /** Port to which the robots of one trial connect. Robots of concurrent trials are refused. */
     public final class Entrance implements Supplier<Controller>, AutoCloseable {
 
         private final GuestDoor door;
@@ -230,8 +233,8 @@ public final class RobotProcess implements AutoCloseable {
         }
 
         /**
-         * Returns why the robots of a finished trial have left: the reason that the process has reported, or that the process
-         * has exited.
+         * Returns why the robots left a finished trial: the reason reported by the process, or the exit of the process
+         * itself.
          *
          * @return the reason; empty if they stayed until the end of the trial, or if the program was never ready
          */
@@ -287,7 +290,7 @@ public final class RobotProcess implements AutoCloseable {
         }
     }
 
-    /** Kills the program with all of its processes. */
+    /** Kills the program and all of its processes. */
     @Override
     public void close() {
         process.close();

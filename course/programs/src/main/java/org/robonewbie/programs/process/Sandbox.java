@@ -16,8 +16,8 @@ import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * Sandbox that uses <a href="https://github.com/containers/bubblewrap">bubblewrap</a> (Linux). Programs see read-only system
- * folders, their own files, an empty home, an empty temporary folder and no other processes. The only connection is a socket to
- * the simulator.
+ * folders, their own files, an empty home folder, an empty temporary folder and no other processes. Their only connection is
+ * a socket to the simulator.
  */
 public final class Sandbox {
 
@@ -30,7 +30,7 @@ public final class Sandbox {
     /** Folder in the sandbox that contains the program's files. */
     static final Path FILES = Path.of("/team");
 
-    /** Socket in the sandbox that leads to the simulator, or a folder of such sockets. */
+    /** Socket in the sandbox that is connected to the simulator, or a folder of such sockets. */
     static final Path DOOR = Path.of("/run/robonewbie/door");
 
     private static final String BUBBLEWRAP = "bwrap";
@@ -105,7 +105,7 @@ public final class Sandbox {
     /**
      * Returns an unavailable sandbox.
      *
-     * @param reason the reason, as part of a sentence
+     * @param reason the reason, as a sentence fragment
      * @return an unavailable sandbox
      */
     public static Sandbox none(String reason) {
@@ -117,7 +117,7 @@ public final class Sandbox {
         return absence.isEmpty();
     }
 
-    /** {@return why there is no sandbox, as part of a sentence; empty if there is one} */
+    /** {@return why there is no sandbox, as a sentence fragment; empty if there is one} */
     public String absence() {
         return absence;
     }

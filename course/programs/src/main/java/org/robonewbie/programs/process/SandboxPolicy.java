@@ -8,10 +8,10 @@ import java.util.Optional;
 /**
  * Permissions of a process in a {@link Sandbox}, in addition to reading system files.
  *
- * @param readable files and folders that it may read
- * @param hidden files and folders that it must not see, even if they are in a readable folder
+ * @param readable files and folders that the process may read
+ * @param hidden files and folders that must be hidden from it, even if they are in a readable folder
  * @param files the program's folder, mounted at {@link Sandbox#FILES}
- * @param door the socket of the simulator, or a folder of sockets
+ * @param door the simulator's socket, or a folder of sockets
  * @param written a folder to which it may write
  */
 public record SandboxPolicy(

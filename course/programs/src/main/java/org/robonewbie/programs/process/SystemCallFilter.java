@@ -10,7 +10,7 @@ import java.util.Optional;
  * limits do not cover: System V shared memory and message queues, and in-memory files. It is a classic BPF program over {@code
  * struct seccomp_data}, see {@code seccomp(2)}.
  *
- * @param architecture audit number of the processor, as in {@code linux/audit.h}
+ * @param architecture audit number of the processor architecture, as in {@code linux/audit.h}
  * @param calls numbers of the denied system calls
  */
 record SystemCallFilter(int architecture, List<Integer> calls) {

@@ -55,7 +55,7 @@ final class Turns {
         return waited;
     }
 
-    /** Returns the total time in seconds that the program has slept while the world waited for it. */
+    /** Returns the total time in seconds for which the program has slept while the world was waiting for it. */
     synchronized double sleptSeconds() {
         return slept;
     }

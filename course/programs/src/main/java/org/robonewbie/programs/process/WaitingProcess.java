@@ -54,7 +54,7 @@ public final class WaitingProcess implements AutoCloseable {
      * @param className name of the program's main class
      * @param classes folder that contains the program's compiled classes
      * @param options arguments for its {@code main}
-     * @return the process of the program
+     * @return the program's process
      */
     public synchronized ChildProcess start(String className, Path classes, List<String> options) {
         prepare();

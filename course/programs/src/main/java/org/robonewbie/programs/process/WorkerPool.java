@@ -13,8 +13,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Pool of child processes that run one program repeatedly, each time with fresh static fields. Standard output of the
- * program is discarded; its error output is printed. A program that terminates its process affects only its own run.
+ * Pool of child processes that run one program repeatedly, each time with fresh static fields. The program's standard output
+ * is discarded; its error output is printed. A program that terminates its process affects only its own run.
  */
 public final class WorkerPool implements AutoCloseable {
 
@@ -46,8 +46,8 @@ public final class WorkerPool implements AutoCloseable {
      * Runs the program once, in an idle process if there is one, otherwise in a new one.
      *
      * @param options arguments for its {@code main}
-     * @return a sentence that says why the program failed, or an empty string after success; an empty {@code Optional} if
-     *     the user terminated the process
+     * @return a sentence that explains why the program failed, or an empty string after success; an empty {@code Optional}
+     *     if the user terminated the process
      * @throws IOException if no process can be started
      */
     public Optional<String> run(List<String> options) throws IOException {

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ResourceFolder;
 
-/** Copies the sources of the example team, adapting them to the package and agent name of a student's project. */
+/** Copies the example team's sources, adapting them to the package and agent name of a student's project. */
 final class ExampleTeam {
 
     private static final String PACKAGE = "org.robonewbie.team";

@@ -41,8 +41,8 @@ record BallOnWay(Translation2d ball, double turn) {
     }
 
     /**
-     * Returns whether the robot is behind the ball: it faces along the path, and the ball is in a cone that begins between the
-     * feet.
+     * Returns whether the robot is behind the ball: it faces along the path, and the ball is in a cone with its apex between
+     * the feet.
      */
     boolean isInCone(double metres, double slope) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);

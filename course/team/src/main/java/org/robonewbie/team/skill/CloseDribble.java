@@ -13,8 +13,8 @@ import org.robonewbie.team.world.WorldModel;
  * dribble.bring(world, target);         // in each cycle
  * }</pre>
  *
- * <p>Each foot is on the ground half of the time, so while it swings it is at least twice as fast as the robot. A ball that a
- * foot hits at more than 0.8 m/s bounces off. Three measures keep the ball close:
+ * <p>Each foot is on the ground half the time, so it swings at least twice as fast as the robot walks. A ball that a foot
+ * hits at more than 0.8 m/s bounces off. Three measures keep the ball close:
  * <ul>
  * <li>The feet swing at as constant a speed as the motors allow, so a foot never moves at much more than twice the speed of
  * the robot ({@link #STYLE}).
@@ -25,7 +25,7 @@ import org.robonewbie.team.world.WorldModel;
  */
 public final class CloseDribble {
 
-    /** Walking style with even swings of the feet; as fast as {@link Footwork#STYLE}, but less stable. */
+    /** Walking style with even foot swings; as fast as {@link Footwork#STYLE}, but less stable. */
     public static final WalkStyle STYLE = CloseDribbleNumbers.FOUND.style();
 
     private static final double CONE_METRES = 0.12;

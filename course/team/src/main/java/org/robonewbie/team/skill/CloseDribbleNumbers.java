@@ -7,7 +7,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 
 /**
  * Parameters of {@link CloseDribble}. They were found by CMA-ES in three rounds (walk, touches, both) on 25 November 2026, at
- * commit 020d3efe; the maximum speed, its change and the touch speed were then set by hand.
+ * commit 020d3efe; the limits on the speed and on its changes, and the touch speed, were then set by hand.
  *
  * @param style walking style
  * @param touchSpeed speed at which the robot touches a resting ball, in metres per second

@@ -8,9 +8,9 @@ import org.robonewbie.team.world.WorldModel;
  * Fast dribbling. The robot gets behind the ball, as seen from the target, and keeps walking, so that its feet push the ball
  * along. It never stops as long as the ball stays on the path.
  *
- * <p>While the ball is in a cone that begins between the feet, the robot walks on and only corrects its course;
- * otherwise it walks around the ball. If an opponent is near and the ball is ahead, it does not correct its course but
- * walks straight through the ball.
+ * <p>While the ball is in a cone with its apex between the feet, the robot walks on and only corrects its course; otherwise
+ * it walks around the ball. If an opponent is near and the ball is ahead, it does not correct its course but walks straight
+ * through the ball.
  *
  * <p>A swinging foot is more than twice as fast as the robot, and a ball that it hits at more than 0.8 m/s bounces off and may
  * roll a metre ahead. That does no harm when no opponent is near. {@link CloseDribble} keeps the ball closer.

@@ -18,7 +18,7 @@ import org.robonewbie.team.world.WorldModel;
  */
 public final class Footwork {
 
-    /** Walking style of the players: fast when walking forward, with turns and accelerations limited to avoid falls. */
+    /** The players' walking style: fast when walking forward, with turns and accelerations limited to avoid falls. */
     public static final WalkStyle STYLE = WalkStyle.FAST.withLimits(
             new WalkVelocity(0.69, 0.2, 120), WalkStyle.FAST.backward(), new WalkVelocity(0.13, 0.085, 19));
 

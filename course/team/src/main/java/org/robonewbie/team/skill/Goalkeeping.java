@@ -7,9 +7,9 @@ import org.robonewbie.team.world.WorldModel;
 /**
  * Goalkeeping: stands between the ball and the goal, and dives for a ball that would cross the line.
  *
- * <p>A dive takes a second, but a ball that is kicked from a few metres away needs only half of that. So a keeper without
- * teammates comes out: the closer it is to the ball, the smaller the part of the goal that it leaves open. It clears the ball
- * if it can reach it well before the attacker.
+ * <p>A dive takes a second, but a ball that is kicked from a few metres away arrives in half that time. So a keeper without
+ * teammates comes out: the closer it is to the ball, the smaller the part of the goal that it leaves open. It clears the
+ * ball if it can reach it well before the attacker.
  */
 public final class Goalkeeping {
 

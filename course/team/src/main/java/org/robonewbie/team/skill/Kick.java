@@ -56,7 +56,7 @@ public final class Kick {
     }
 
     /**
-     * Estimates the time that a robot needs from reaching the ball until the foot hits it.
+     * Estimates the time between the robot's arrival at the ball and the kick.
      *
      * @param world the world model
      * @param directionDegrees direction of the kick in team coordinates

@@ -3,7 +3,7 @@ package org.robonewbie.team.skill;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 
-/** Kinds of kicks, each with the position of the ball that it requires. */
+/** Kinds of kicks, each with the ball position that it requires. */
 public enum KickKind {
 
     /** A quick kick of more than five metres, for use when opponents are near. */

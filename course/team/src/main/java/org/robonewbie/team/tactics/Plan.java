@@ -44,12 +44,12 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
         return new Plan(role, other, target, headingDegrees, receiver);
     }
 
-    /** {@return whether the player kicks or prepares a kick} */
+    /** {@return whether the player is kicking or preparing a kick} */
     public boolean kicksNow() {
         return action == Action.KICK || action == Action.FAR_KICK;
     }
 
-    /** {@return whether the player kicks, prepares a kick or waits for the receiver} */
+    /** {@return whether the player is kicking, preparing a kick or waiting for the receiver} */
     public boolean isKick() {
         return kicksNow() || action == Action.WAIT;
     }

@@ -57,7 +57,7 @@ public final class Roles {
 
     /**
      * Returns whether a player is the keeper. A team of fewer than eight has no keeper, because every player is needed near the
-     * ball. But a player number 1 that starts alone in its goal is the keeper in a penalty shoot-out.
+     * ball. An exception is the penalty shoot-out, in which player number 1 starts alone in its goal and is the keeper.
      *
      * @param world the world model
      * @param number player number

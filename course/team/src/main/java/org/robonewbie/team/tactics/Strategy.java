@@ -68,8 +68,8 @@ public final class Strategy {
     }
 
     /**
-     * Returns whether the current plan may be replaced. A player that prepares a kick keeps its plan for a while, because each
-     * change requires additional steps.
+     * Returns whether the current plan may be replaced. A player that is preparing a kick keeps its plan for a while,
+     * because each change requires additional steps.
      */
     private boolean isOld(Plan next) {
         return world.seconds() - planSeconds > KICK_LASTS_SECONDS
@@ -152,8 +152,8 @@ public final class Strategy {
     }
 
     /**
-     * Estimates the time until the player could play the ball, based on the point at which it intercepts the rolling
-     * ball and the turns that this requires.
+     * Estimates the time until the player could play the ball, based on the point at which it intercepts the rolling ball
+     * and the turns required to get there.
      *
      * @return time in seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
      */

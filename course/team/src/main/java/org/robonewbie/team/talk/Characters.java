@@ -20,7 +20,7 @@ final class Characters {
     private final boolean[] bits = new boolean[ALL_BITS];
     private int next;
 
-    /** Decodes a text. Returns empty if it is not a message from this team. */
+    /** Decodes a message; empty if it is not from this team. */
     static Optional<Characters> of(String text) {
         if (text.length() != LENGTH || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
             return Optional.empty();

@@ -23,11 +23,11 @@ public enum Situation {
     OVER;
 
     /**
-     * Converts a play mode to the perspective of a team.
+     * Converts a play mode to a team's perspective.
      *
      * @param mode the referee's play mode
      * @param side the half that the team defends
-     * @return the situation of the team
+     * @return the team's situation
      */
     public static Situation of(PlayMode mode, TeamSide side) {
         return switch (mode) {

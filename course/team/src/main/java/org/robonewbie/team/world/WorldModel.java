@@ -25,8 +25,8 @@ import org.robonewbie.team.talk.TeamMessage;
  * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
  * access the game through it, in team coordinates.
  *
- * <p>Information that the player's own sensors have not provided for a while is taken from teammates' messages, which
- * contain their poses and ball sightings.
+ * <p>Information that the player's own sensors have not provided recently is taken from teammates' messages, which contain
+ * their poses and ball sightings.
  */
 public final class WorldModel {
 
@@ -202,7 +202,7 @@ public final class WorldModel {
         return seconds;
     }
 
-    /** {@return the player number of the robot} */
+    /** {@return the robot's player number} */
     public int number() {
         return number;
     }
@@ -212,12 +212,12 @@ public final class WorldModel {
         return type;
     }
 
-    /** {@return whether the robot lies on the ground} */
+    /** {@return whether the robot is lying on the ground} */
     public boolean isFallen() {
         return fallen;
     }
 
-    /** {@return the state of the game from the perspective of the team} */
+    /** {@return the state of the game from the team's perspective} */
     public Situation situation() {
         return situation;
     }
@@ -247,7 +247,7 @@ public final class WorldModel {
         return new Translation2d(-field().length() / 2, 0);
     }
 
-    /** {@return the pose of the robot} */
+    /** {@return the robot's pose} */
     public Pose2d pose() {
         return pose;
     }
@@ -257,7 +257,7 @@ public final class WorldModel {
         return begunInGoal;
     }
 
-    /** {@return the position of the robot in team coordinates} */
+    /** {@return the robot's position in team coordinates} */
     public Translation2d place() {
         return pose.translation();
     }

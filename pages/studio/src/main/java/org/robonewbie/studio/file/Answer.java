@@ -80,7 +80,7 @@ public record Answer(int status, String type, byte[] content, String version) {
      * Creates an error response.
      *
      * @param status the HTTP status
-     * @param reason the problem and what to do; null for an exception without a message
+     * @param reason the problem and its remedy; null for an exception without a message
      * @return the response
      */
     public static Answer refused(int status, @Nullable String reason) {

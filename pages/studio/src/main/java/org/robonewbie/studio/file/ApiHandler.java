@@ -20,11 +20,11 @@ public abstract class ApiHandler extends Handler.Abstract {
     protected ApiHandler() {}
 
     /**
-     * Answers a request.
+     * Handles a request.
      *
      * @param request the request
      * @param path its path
-     * @return the answer; empty if the path belongs to another endpoint
+     * @return the response; empty if the path belongs to another endpoint
      * @throws IOException if a file cannot be read or written
      * @throws IllegalArgumentException if the request is refused; the message gives the reason
      * @throws IllegalStateException if the request is refused in the current state; the message gives the reason

@@ -4,7 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** Content hash of a file for optimistic locking: a page never overwrites a change that it has not seen. */
+/** Content hash of a file for optimistic locking: a page never overwrites a change that it has not read. */
 public final class FileVersion {
 
     private static final int BYTES = 12;

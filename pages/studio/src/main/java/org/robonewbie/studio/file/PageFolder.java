@@ -46,7 +46,7 @@ public abstract class PageFolder {
     }
 
     /**
-     * Resolves the path that a page uses. Symbolic links that lead out of the folder are refused.
+     * Resolves a path as used by pages. Symbolic links that lead out of the folder are refused.
      *
      * @param path path as used by pages
      * @return the file, which need not exist
@@ -55,7 +55,7 @@ public abstract class PageFolder {
      */
     public abstract Path file(String path) throws IOException;
 
-    /** {@return the noun that messages use for the files in this folder, such as "motion"} */
+    /** {@return the noun for the files in this folder in messages, such as "motion"} */
     protected abstract String kind();
 
     /**

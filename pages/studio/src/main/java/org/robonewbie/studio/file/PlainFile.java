@@ -13,7 +13,7 @@ public final class PlainFile {
      * Returns whether a file is actually in its folder, rather than a link to a file elsewhere.
      *
      * @param file a file
-     * @return whether it exists and its real path is below the folder of its path
+     * @return whether it exists and its real path is below the real path of its folder
      */
     public static boolean isInItsFolder(Path file) {
         Path folder = file.toAbsolutePath().getParent();

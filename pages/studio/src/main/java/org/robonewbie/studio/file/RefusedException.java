@@ -10,7 +10,7 @@ public final class RefusedException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param status the HTTP status of the answer
+     * @param status the HTTP status of the response
      * @param message what was refused and what to do
      */
     public RefusedException(int status, String message) {
@@ -18,7 +18,7 @@ public final class RefusedException extends RuntimeException {
         this.status = status;
     }
 
-    /** {@return the HTTP status of the answer} */
+    /** {@return the HTTP status of the response} */
     public int status() {
         return status;
     }

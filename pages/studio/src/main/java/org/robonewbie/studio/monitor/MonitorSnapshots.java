@@ -50,7 +50,7 @@ final class MonitorSnapshots {
                 realTimeFactor);
     }
 
-    /** Returns the dimensions of the pitch; values that the server does not send default to those of the league. */
+    /** Returns the dimensions of the pitch; values that the server does not send default to the league's. */
     static SoccerField field(Environment environment) {
         SoccerField league = SoccerField.LEAGUE;
         double goalWidth = environment.measure("GoalWidth").orElse(league.goalWidth());

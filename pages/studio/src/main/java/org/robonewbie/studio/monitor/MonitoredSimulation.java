@@ -56,7 +56,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
      * @param host host name or IP address of the server
      * @param port its monitor port, 3200 by default
      * @return the remote simulation
-     * @throws IOException if no server answers; the message says what to do
+     * @throws IOException if no server responds; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port) throws IOException {
         MonitoredSimulation simulation = new MonitoredSimulation(host, port, MonitorLink.connect(host, port));

@@ -1,6 +1,6 @@
 /**
- * Server side of the motion editor: files below one folder, and a separate world in which motions are tried. Start with {@link
- * org.robonewbie.studio.motion.MotionApi}.
+ * Server side of the motion editor: files below one folder, and a separate world in which motions are tried out. Start with
+ * {@link org.robonewbie.studio.motion.MotionApi}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

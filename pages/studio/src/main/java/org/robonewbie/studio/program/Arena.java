@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 /** The pitch on which programs run; its state survives the replacement of a program. */
 public interface Arena {
 
-    /** {@return the TCP port on which programs connect; empty if there is none} */
+    /** {@return the TCP port to which programs connect; empty if there is none} */
     OptionalInt agentPort();
 
     /**

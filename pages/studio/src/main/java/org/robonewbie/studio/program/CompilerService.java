@@ -10,7 +10,7 @@ import org.robonewbie.programs.completion.Proposal;
 /** Compiles and starts students' programs for the pages. Thread-safe. */
 public interface CompilerService {
 
-    /** {@return the folder of the programs, which is also the working directory of their processes} */
+    /** {@return the programs' folder, which is also the working directory of their processes} */
     Path folder();
 
     /** {@return the names of the available examples, in display order} */
@@ -28,7 +28,7 @@ public interface CompilerService {
      * Returns the source of a new program.
      *
      * @param file the file to be created, which determines the class and package names
-     * @param text the template, such as an example; empty for the shortest program that moves a robot
+     * @param text the template, such as an example; empty for a minimal program that moves a robot
      * @return its text
      */
     String newProgram(Path file, Optional<String> text);

@@ -7,8 +7,8 @@ import org.robonewbie.simulator.embedded.HostProgram;
  * The program that runs when the studio opens.
  *
  * @param path path of its file; for an example, the path of the copy to be created
- * @param example name of the example; empty for a program of the user
- * @param options arguments of its {@code main} that its later versions also receive
+ * @param example name of the example; empty for one of the user's own programs
+ * @param options arguments of its {@code main}, which are also passed to its later versions
  * @param program the program, which ends when a page replaces it
  */
 public record FirstProgram(String path, String example, List<String> options, HostProgram program) {

@@ -25,9 +25,9 @@ import org.robonewbie.studio.file.RefusedException;
  * GET              /api/programs/example/NAME
  * GET              /api/programs/new/PATH?example=NAME    the source of a new program
  * GET PUT DELETE   /api/programs/draft/PATH
- * GET PUT          /api/programs/history/PATH       saved versions, a JSON array; the pages decide which ones to keep
- * POST             /api/programs/check/PATH         body: text of the editor; returns the compiler's diagnostics
- * POST             /api/programs/complete/PATH?at=N body: text of the editor; returns completion proposals
+ * GET PUT          /api/programs/history/PATH       saved versions, a JSON array; pruned by the pages
+ * POST             /api/programs/check/PATH         body: the editor's text; returns the compiler's diagnostics
+ * POST             /api/programs/complete/PATH?at=N body: the editor's text; returns completion proposals
  * POST             /api/programs/run/PATH?world=keep    compiles the saved file and replaces the running program
  * GET DELETE       /api/programs/run                state of the running program; DELETE stops it
  * </pre>

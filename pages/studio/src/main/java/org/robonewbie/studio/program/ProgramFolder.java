@@ -40,7 +40,7 @@ final class ProgramFolder extends PageFolder {
         this(folder, MAX_BYTES, "");
     }
 
-    /** Provides access to files that belong to programs: each one is named after its program, with a suffix. */
+    /** Provides access to files that accompany programs: each has the name of its program plus a suffix. */
     ProgramFolder(Path folder, int maxBytes, String suffix) {
         super(folder, maxBytes);
         this.suffix = suffix;

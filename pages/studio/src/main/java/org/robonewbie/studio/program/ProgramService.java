@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.studio.program.ProgramRun.State;
 
-/** Runs one program at a time. When another program replaces it, the world can continue from its current state. */
+/**
+ * Runs one program at a time. When the program is replaced by another one, the world can continue from its current state.
+ */
 final class ProgramService implements AutoCloseable {
 
     private final CompilerService compiler;

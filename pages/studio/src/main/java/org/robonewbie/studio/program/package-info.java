@@ -1,6 +1,6 @@
 /**
- * The program editor of the studio: pages edit programs, show diagnostics while the user types, and run them on the pitch. Start with
- * {@link org.robonewbie.studio.program.CompilerService}.
+ * The studio's program editor: users edit programs, see diagnostics while typing, and run the programs on the pitch. Start
+ * with {@link org.robonewbie.studio.program.CompilerService}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -108,7 +108,7 @@ final class PackedReader {
         }
     }
 
-    /** {@return the number of bytes of the file that have been read} */
+    /** {@return the number of bytes that have been read from the file so far} */
     long read() {
         return read;
     }

@@ -23,9 +23,9 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * All locations where the studio looks for recordings: the user's repository, the project, and a file opened by name.
- * Pages can access only the recordings found here, so no path leads out of these folders. A deleted recording stays for
- * at least an hour in the folder {@code .removed} next to the other recordings.
+ * All locations that are searched for recordings: the user's repository, the project, and a file opened by name. Pages can
+ * access only the recordings found here, so no path leads out of these folders. A deleted recording is kept for at least an
+ * hour in the folder {@code .removed} next to the other recordings.
  */
 final class RecordingFolders implements RecordingStore {
 
@@ -65,13 +65,13 @@ final class RecordingFolders implements RecordingStore {
                 all.add(new RecordingEntry(
                         recording.getKey(), bytes, isRunning(file), isOfProject(file, about.project()), about));
             } catch (NoSuchFileException justDeleted) {
-                // It is not listed.
+                // A recording that has just been deleted is omitted.
             }
         }
         return all;
     }
 
-    /** Returns first the recording opened by name, then those in the repository, then those of the project. */
+    /** Returns the recording opened by name first, then those in the repository, then those of the project. */
     private Map<String, Path> paths() throws IOException {
         Map<String, Path> all = new LinkedHashMap<>();
         for (Path file : files()) {
@@ -169,7 +169,7 @@ final class RecordingFolders implements RecordingStore {
         return Objects.requireNonNull(file.toAbsolutePath().getParent());
     }
 
-    /** Empties the bin of a folder if the bin has not changed for an hour; ignores errors. */
+    /** Empties a folder's bin if the bin has not changed for an hour; ignores errors. */
     private static void emptyBin(Path folder) {
         Path bin = folder.resolve(REMOVED);
         try (Stream<Path> files = Files.list(bin)) {

@@ -64,7 +64,7 @@ final class RecordingIndex {
     }
 
     /**
-     * Continues to build the index.
+     * Continues building the index.
      *
      * @param recording the current file of the recording
      * @param milliseconds time limit for this call
@@ -141,7 +141,7 @@ final class RecordingIndex {
                 }
             }
         } catch (DataFormatException endOfWhatIsGood) {
-            // Bytes before the damage are valid.
+            // The bytes before the damaged part are valid.
         } finally {
             inflater.end();
         }

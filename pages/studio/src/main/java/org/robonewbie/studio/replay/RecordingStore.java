@@ -11,7 +11,7 @@ public interface RecordingStore {
     /**
      * Lists the recordings.
      *
-     * @return all recordings in the order in which pages show them
+     * @return all recordings in display order
      * @throws IOException if they cannot be read
      */
     List<RecordingEntry> all() throws IOException;
@@ -32,7 +32,7 @@ public interface RecordingStore {
      * Renames a recording.
      *
      * @param from its name
-     * @param to an unused valid name
+     * @param to a valid, unused name
      * @throws IOException if it cannot be renamed
      */
     void rename(String from, String to) throws IOException;
@@ -49,17 +49,17 @@ public interface RecordingStore {
      * Restores a deleted recording.
      *
      * @param name its name when it was deleted
-     * @return whether it is restored; otherwise it was deleted too long ago
+     * @return whether it has been restored; false if it was deleted too long ago
      * @throws IOException if it cannot be restored
      */
     boolean bringBack(String name) throws IOException;
 
     /**
-     * Continues to read a recording.
+     * Continues reading a recording.
      *
      * @param name its name
      * @param milliseconds time limit for this call
-     * @return all that has been read so far
+     * @return everything that has been read so far
      * @throws IOException if it cannot be read
      * @throws IllegalArgumentException if it is not a recording
      */

@@ -22,10 +22,9 @@ import org.robonewbie.studio.file.PathPart;
  *
  * <pre>
  * GET /api/pieces/NAME?piece=N&amp;skip=M   the N-th piece without its first M bytes
- * GET /api/log/NAME                   the recording as a log of a SimSpark server, compressed with gzip
- * GET /api/notes/NAME?skip=M          log entries and drawings as JSON lines, without the first M bytes
- * GET /api/models                     the bodies of all robot types
- * /api/...                            see {@link ReplayService}
+ * GET /api/log/NAME                   the recording as a SimSpark server log, compressed with gzip GET
+ * /api/notes/NAME?skip=M          log entries and drawings as JSON lines, without the first M bytes GET /api/models
+ * the bodies of all robot types /api/...                            see {@link ReplayService}
  * </pre>
  */
 public final class ReplayApi extends ApiHandler {

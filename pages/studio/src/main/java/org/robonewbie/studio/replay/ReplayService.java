@@ -19,13 +19,11 @@ import org.robonewbie.studio.service.PageService;
  * GET    recordings               all recordings with their metadata
  * GET    cards/NAME               summary: teams, score, length, events, and the trails of the ball and the robots
  * GET    index/NAME               the summary and the first cycle of each piece; returns immediately, even if incomplete
- * GET    index/NAME?events=M&amp;pieces=N     only what follows the first M events and N pieces
- * PUT    recordings/NAME?was=OLD            renames the recording OLD
- * PUT    recordings/NAME?removed=yes        restores a deleted recording
- * DELETE recordings/NAME                    deletes the recording
- * PUT, DELETE stars/NAME                    sets or removes the star, which protects the recording from automatic deletion
- * PUT    bookmarks/NAME?seconds=T&amp;note=TEXT   adds a bookmark
- * DELETE bookmarks/NAME?seconds=T           removes the bookmark
+ * GET    index/NAME?events=M&amp;pieces=N     the same without the first M events and N pieces PUT
+ * recordings/NAME?was=OLD            renames the recording OLD PUT    recordings/NAME?removed=yes        restores a deleted
+ * recording DELETE recordings/NAME                    deletes the recording PUT, DELETE stars/NAME                    sets
+ * or removes the star, which protects the recording from automatic deletion PUT    bookmarks/NAME?seconds=T&amp;note=TEXT
+ * adds a bookmark DELETE bookmarks/NAME?seconds=T           removes the bookmark
  * </pre>
  */
 public final class ReplayService implements PageService {
@@ -153,7 +151,7 @@ public final class ReplayService implements PageService {
                 return seconds;
             }
         } catch (NumberFormatException none) {
-            // Refused below.
+            // The exception below reports the problem.
         }
         throw new IllegalArgumentException("The time of the bookmark is missing. Reload the page.");
     }

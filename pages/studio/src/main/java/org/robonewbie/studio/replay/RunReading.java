@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * The part of a recording that has been read.
  *
- * @param summary summary as described at {@link RunWatch#summary}; must not be changed
+ * @param summary summary as described in {@link RunWatch#summary}; must not be changed
  * @param whole whether the whole recording has been read
  * @param pieces index of the first cycle of each piece that a page can load separately
  */

@@ -31,7 +31,7 @@ public final class RunWatch implements RecordingState.Listener {
     private int count;
     private long firstCycle;
 
-    /** Creates a reader before the first byte. */
+    /** Creates a reader that has not read any bytes. */
     public RunWatch() {}
 
     /**
@@ -39,7 +39,7 @@ public final class RunWatch implements RecordingState.Listener {
      *
      * @param bytes a buffer that starts with these bytes
      * @param length number of bytes
-     * @throws IllegalArgumentException if they are not a recording of this version or are damaged
+     * @throws IllegalArgumentException if they are not part of a recording of this version, or are damaged
      */
     public void push(byte[] bytes, int length) {
         state.push(bytes, length);
@@ -107,7 +107,7 @@ public final class RunWatch implements RecordingState.Listener {
     }
 
     /**
-     * Returns the summary of what has been read, the data that a page needs to open the recording at any cycle.
+     * Returns a summary of the part that has been read: the data that a page needs to open the recording at any cycle.
      *
      * <pre>
      * count, firstCycle     number of cycles, and the simulation cycle of the first one

@@ -36,6 +36,6 @@ sealed interface RoboVizCommand {
      */
     record AgentText(TeamSide side, int number, String colour, String text) implements RoboVizCommand {}
 
-    /** A command without effect in the studio, such as the selection of a robot. */
+    /** A command that has no effect in the studio, such as the selection of a robot. */
     record Other() implements RoboVizCommand {}
 }

@@ -18,7 +18,7 @@ import org.robonewbie.simulator.json.Json;
  */
 public final class RoboVizFeed {
 
-    /** Name of the set of texts above robots, which need no swap. */
+    /** Name of the set of labels above robots, which are shown without a swap. */
     static final String AGENT_TEXTS = "texts above robots";
 
     private static final int MAX_SETS = 300;

@@ -7,7 +7,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 
 /**
- * UDP receiver of drawings in RoboViz's protocol, on the loopback interface only.
+ * UDP receiver for drawings in the RoboViz protocol, on the loopback interface only.
  *
  * <pre>{@code
  * RoboVizPort port = RoboVizPort.open(RoboVizPort.DEFAULT, studio.drawings());
@@ -15,7 +15,7 @@ import java.net.InetSocketAddress;
  */
 public final class RoboVizPort implements AutoCloseable {
 
-    /** Default UDP port of RoboViz. */
+    /** RoboViz's default UDP port. */
     public static final int DEFAULT = 32769;
 
     private final DatagramSocket socket;

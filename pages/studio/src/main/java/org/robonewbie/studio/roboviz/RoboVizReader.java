@@ -9,7 +9,7 @@ import java.util.Locale;
 import org.robonewbie.nao.TeamSide;
 
 /**
- * Parser of RoboViz's drawing protocol. Numbers are encoded as six ASCII characters, colours as three bytes, and texts as
+ * Parser of RoboViz's drawing protocol. Numbers are encoded as six ASCII characters, colours as three bytes, and strings as
  * zero-terminated UTF-8. As in RoboViz, the rest of a datagram is discarded after the first malformed command.
  */
 final class RoboVizReader {

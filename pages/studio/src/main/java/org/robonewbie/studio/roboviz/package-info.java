@@ -1,5 +1,5 @@
 /**
- * Drawings in RoboViz's protocol (UDP port 32769). Start with {@link org.robonewbie.studio.roboviz.RoboVizPort}.
+ * Drawings in the RoboViz protocol (UDP port 32769). Start with {@link org.robonewbie.studio.roboviz.RoboVizPort}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

@@ -17,7 +17,7 @@ import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * A scene as bytes: a recording of one cycle, which any viewer of recordings can show, and the exact state.
+ * A scene as bytes: a recording of one cycle, which any recording viewer can show, and the exact state.
  *
  * @param recording the uncompressed recording
  * @param exact the exact state; empty if it was not saved
@@ -58,10 +58,10 @@ public record SavedScene(byte[] recording, byte[] exact) {
     }
 
     /**
-     * Reads a scene from {@link #toBytes}.
+     * Reads a scene in the format of {@link #toBytes}.
      *
      * @param bytes the bytes
-     * @return the scene, which is damaged if the bytes are
+     * @return the scene; damaged if the bytes are damaged
      */
     public static SavedScene of(byte[] bytes) {
         try {

@@ -17,8 +17,8 @@ import org.robonewbie.studio.file.PathPart;
  * HTTP endpoint for scenes: saves them, and continues from them or from any cycle of a recording.
  *
  * <pre>
- * /api/scenes                           see {@link SceneService}; the header Replace: yes stands for its parameter
- * POST /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
+ * /api/scenes                           see {@link SceneService}; the header Replace: yes corresponds to its parameter POST
+ * /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
  * </pre>
  *
  * <p>The last request returns whether the state is exact and how many agents have restored their own states.

@@ -52,7 +52,7 @@ record SceneFolder(Path folder) implements SceneStore {
                 unpacked(file), Files.exists(exact(file)) ? Files.readAllBytes(exact(file)) : new byte[0]);
     }
 
-    /** Returns the readable part of a compressed file. */
+    /** Decompresses a file as far as it is readable. */
     private static byte[] unpacked(Path file) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
@@ -107,7 +107,7 @@ record SceneFolder(Path folder) implements SceneStore {
         return folder.resolve(name + RecordingRepository.ENDING);
     }
 
-    /** Returns the file of the exact state, which exists if the scene was saved from a running world. */
+    /** Returns the file with the exact state, which exists if the scene was saved from a running world. */
     private static Path exact(Path scene) {
         return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }

@@ -62,7 +62,7 @@ public final class UndoStack {
     }
 
     /**
-     * Redoes the change that was undone last.
+     * Redoes the most recently undone change.
      *
      * @return a sentence for the user
      * @throws IOException if a file cannot be changed; the change is not redone

@@ -6,7 +6,7 @@ import com.google.gson.JsonObject;
 import java.util.List;
 import org.robonewbie.studio.board.EventBus;
 
-/** Publishes the progress of an optimisation to all pages that watch it. Thread-safe. */
+/** Publishes the progress of an optimisation to all subscribed pages. Thread-safe. */
 public final class SearchFeed extends EventBus {
 
     private final Gson gson = new Gson();

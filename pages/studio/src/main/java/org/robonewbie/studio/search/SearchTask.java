@@ -1,7 +1,7 @@
 package org.robonewbie.studio.search;
 
 /**
- * What a search optimises.
+ * Task of an optimisation.
  *
  * @param subject what is optimised, such as {@code kick-right}
  * @param objective the measure to improve, such as {@code kick-distance}

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Service that answers the requests of pages. Thread-safe. */
+/** Service that handles requests from pages. Thread-safe. */
 @FunctionalInterface
 public interface PageService {
 
     /**
-     * Answers a request.
+     * Handles a request.
      *
      * @param method HTTP method
      * @param path decoded path segments that follow the service's own path

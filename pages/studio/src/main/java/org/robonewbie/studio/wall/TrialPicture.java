@@ -61,12 +61,12 @@ final class TrialPicture implements SimulationObserver {
         latest = snapshot;
     }
 
-    /** Returns the data that do not change while the trial runs. */
+    /** Returns the data that does not change while the trial is running. */
     JsonObject facts() {
         return facts;
     }
 
-    /** Returns the current positions; empty before the first cycle. */
+    /** Returns the current positions; empty if no cycle has been simulated yet. */
     Optional<JsonObject> moment() {
         return Optional.ofNullable(latest).map(this::written);
     }

@@ -17,7 +17,7 @@ import org.robonewbie.simulator.json.Json;
 import org.robonewbie.studio.board.EventBus;
 
 /**
- * Overview page of a contest: one tile for each running trial, and the table of results. Thread-safe.
+ * Overview page of a contest: one tile for each running trial, and the results table. Thread-safe.
  */
 public final class TrialWall extends EventBus implements AutoCloseable {
 
@@ -54,7 +54,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     }
 
     /**
-     * Publishes the table of results.
+     * Publishes the results table.
      *
      * @param table the current table
      */
@@ -77,7 +77,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     }
 
     /**
-     * Stops updating the tile of a trial; its last picture remains until another trial needs the tile.
+     * Stops updating the tile of a trial; its last picture remains until the tile is needed for another trial.
      *
      * @param id name of the trial
      */

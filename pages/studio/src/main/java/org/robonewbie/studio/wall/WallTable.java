@@ -3,7 +3,7 @@ package org.robonewbie.studio.wall;
 import java.util.List;
 
 /**
- * Table of results of a contest.
+ * Results table of a contest.
  *
  * @param over number of finished trials
  * @param planned number of trials planned so far
@@ -23,7 +23,7 @@ public record WallTable(int over, int planned, List<String> columns, List<Place>
      *
      * @param rank rank of the team, 1 for the best; teams that tie share a rank
      * @param team its name
-     * @param cells one text per column
+     * @param cells contents of the row's cells, one per column
      */
     public record Place(int rank, String team, List<String> cells) {
 

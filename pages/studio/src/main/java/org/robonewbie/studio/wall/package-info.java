@@ -1,5 +1,6 @@
 /**
- * Overview page of a contest with all running trials and the table of results. Start with {@link org.robonewbie.studio.wall.TrialWall}.
+ * Overview page of a contest with all running trials and the results table. Start with {@link
+ * org.robonewbie.studio.wall.TrialWall}.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

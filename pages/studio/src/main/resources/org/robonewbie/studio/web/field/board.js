@@ -1,4 +1,4 @@
-/** The teams' RoboViz drawings, rendered as one mesh for all shapes and one sprite per text. */
+/** The teams' RoboViz drawings, rendered as one mesh for all shapes and one sprite per label. */
 import * as THREE from 'three';
 import { boardTriangles } from '../state/board-shapes.js';
 import { DrawingGroup, textLook } from './drawings.js';
@@ -9,7 +9,7 @@ const METRES_ABOVE_TORSO = 0.45;
 const MAX_TEXTS = 200;
 
 export class Board extends DrawingGroup {
-  /** Texts that are attached to robots. @type {Array<{sprite: THREE.Sprite, shape: BoardShape}>} */
+  /** Labels that are attached to robots. @type {Array<{sprite: THREE.Sprite, shape: BoardShape}>} */
   #above = [];
 
   constructor() {
@@ -56,7 +56,7 @@ export class Board extends DrawingGroup {
   }
 
   /**
-   * Moves the attached texts to their robots.
+   * Moves the attached labels to their robots.
    *
    * @param {readonly Float32Array[]} poses
    * @param {readonly import('../live/state-frame.js').Player[]} players

@@ -1,4 +1,4 @@
-/** Camera controller: provides five camera modes and moves the view with mouse and keys. */
+/** Camera controller: provides five camera modes and moves the view with the mouse and the keyboard. */
 import { headingDegrees, POSE, rotated } from '../state/kinematics.js';
 import { hasJumped } from '../state/smoothing.js';
 import { eye, moved, overview, robotCentre, robotView, turned, zoomed, zoomedTo } from '../state/view-point.js';
@@ -41,7 +41,7 @@ export class CameraController {
     this.shown = this.view;
     /** Whether the camera has reached its target view. */
     this.isStill = false;
-    /** Whether the view is the one that the mode chose: the user has neither turned nor zoomed nor moved it. */
+    /** Whether the view is still the one set by the mode: the user has not turned, zoomed or moved it. */
     this.isComposed = true;
     /** Whether the next picture shows the view without a transition. */
     this.isCut = true;
@@ -186,8 +186,8 @@ export class CameraController {
   }
 
   /**
-   * Keeps the robot in the centre. The camera does not turn with the robot; only after the robot has been repositioned does the camera
-   * return to its front.
+   * Keeps the robot in the centre. The camera does not turn with the robot; it returns to the robot's front only after the robot has been
+   * repositioned.
    *
    * @param {Float32Array} robot
    */

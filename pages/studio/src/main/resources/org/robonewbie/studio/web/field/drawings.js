@@ -1,4 +1,4 @@
-/** The robots' drawings on the ground, rendered as one mesh for all shapes and one sprite per text. */
+/** The robots' drawings on the ground, rendered as one mesh for all shapes and one sprite per label. */
 import * as THREE from 'three';
 import { isDrawable, onGround, raised, trianglesOf } from '../state/drawing-shapes.js';
 
@@ -16,7 +16,7 @@ const FONT_PIXELS = 44;
 const MAX_TEXTS = 300;
 const CODE = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/i;
 
-/** A mesh for all shapes, and a group of sprites for the texts. */
+/** A mesh for all shapes, and a group of sprites for the labels. */
 export class DrawingGroup {
   /** @param {string} name @param {THREE.MeshBasicMaterialParameters} look */
   constructor(name, look) {
@@ -43,7 +43,7 @@ export class DrawingGroup {
     this.shapes.visible = places.length > 0;
   }
 
-  /** Adds a text. @param {THREE.SpriteMaterial} look @param {string} text */
+  /** Adds a label. @param {THREE.SpriteMaterial} look @param {string} text */
   addText(look, text) {
     const sprite = new THREE.Sprite(look);
     sprite.center.set(0.5, 0);
@@ -55,7 +55,7 @@ export class DrawingGroup {
 }
 
 export class FieldDrawings extends DrawingGroup {
-  /** Materials of the texts, by colour and content. @type {Map<string, THREE.SpriteMaterial>} */
+  /** Materials of the labels, by colour and text. @type {Map<string, THREE.SpriteMaterial>} */
   #looks = new Map();
 
   constructor() {
@@ -86,7 +86,7 @@ export class FieldDrawings extends DrawingGroup {
     this.fill(places, colours, 3);
   }
 
-  /** @param {Placed[]} placed texts */
+  /** @param {Placed[]} placed labels */
   #write(placed) {
     const before = this.#looks;
     this.#looks = new Map();
@@ -108,7 +108,7 @@ export class FieldDrawings extends DrawingGroup {
   }
 }
 
-/** @param {string} colour colour named by an agent @returns {string} a colour that can be drawn */
+/** @param {string} colour colour specified by an agent @returns {string} a colour that can be drawn */
 function knownColour(colour) {
   if (CODE.test(colour)) {
     return colour.slice(0, colour.length < 6 ? 4 : 7);

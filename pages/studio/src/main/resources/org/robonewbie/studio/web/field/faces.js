@@ -7,9 +7,9 @@ import { SUN } from './light.js';
  * @property {number} layer ground, solid objects or overlays
  * @property {number} depth within its layer; larger ones are painted first
  * @property {string} style
- * @property {number[]} points x and y of each corner in pixels; of a picture, its top left and bottom right corners
+ * @property {number[]} points x and y of each corner in pixels; for a picture, only its top left and bottom right corners
  * @property {boolean} isLine
- * @property {boolean} [grows] whether it is enlarged to hide the seams to its neighbours
+ * @property {boolean} [grows] whether it is enlarged to hide the seams between it and its neighbours
  * @property {CanvasImageSource} [picture]
  *
  * @typedef {object} Body poses and colours of a mesh
@@ -20,7 +20,7 @@ import { SUN } from './light.js';
 
 const [GROUND, SOLID, OVERLAY] = [0, 1, 2];
 
-/** Faces below this height lie on the ground, which everything else hides. */
+/** Faces below this height belong to the ground, over which everything else is painted. */
 const GROUND_METRES = 0.015;
 
 /** Distance by which painted parts are brought forward, in front of the shell below them. */
@@ -123,7 +123,7 @@ export class Faces {
     }
   }
 
-  /** @param {THREE.Vector3[]} corners from the camera @returns {number[]} */
+  /** @param {THREE.Vector3[]} corners in the camera's frame @returns {number[]} */
   #pixels(corners) {
     const { elements } = this.camera.projectionMatrix;
     const points = [];
@@ -167,7 +167,7 @@ export class Faces {
     }
   }
 
-  /** @param {THREE.Sprite} sprite a text, whose size does not depend on its distance */
+  /** @param {THREE.Sprite} sprite a label, whose size does not depend on its distance */
   #addSprite({ material, matrixWorld, scale, center, renderOrder }) {
     const place = scratch[0].setFromMatrixPosition(matrixWorld).applyMatrix4(this.camera.matrixWorldInverse);
     const [x, y] = this.#pixels(clipped([place], this.camera.near, true));
@@ -257,7 +257,7 @@ function css(colour, opacity) {
 /**
  * Clips a polygon or polyline at the camera's near plane.
  *
- * @param {THREE.Vector3[]} corners from the camera, which looks along -z
+ * @param {THREE.Vector3[]} corners in the frame of the camera, which looks along -z
  * @param {number} near
  * @param {boolean} isOpen whether the last corner is not joined to the first
  * @returns {THREE.Vector3[]}

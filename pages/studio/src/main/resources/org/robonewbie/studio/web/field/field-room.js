@@ -1,4 +1,4 @@
-/** The 3D view of the pitch: picture, camera, pointer, drawings and name tags at the moment shown by the session. */
+/** The 3D view of the pitch: picture, camera, pointer, drawings and name tags at the session's current moment. */
 import { BoardController } from '../panels/board-controller.js';
 import { DrawingController } from '../panels/drawing-controller.js';
 import { byId, setText } from '../panels/elements.js';
@@ -16,7 +16,7 @@ export class FieldRoom {
 
   /**
    * @param {import('../live/session.js').Session} session
-   * @param {string | null} quality requested by the page's address
+   * @param {string | null} quality requested in the page's address
    * @param {object} world
    * @param {() => boolean} world.isSteered whether objects can be moved now
    * @param {(command: object) => void} world.send
@@ -126,7 +126,7 @@ export class FieldRoom {
   }
 }
 
-/** @param {FieldView} view @param {number} asked index of the quality requested by the address, negative for none */
+/** @param {FieldView} view @param {number} asked index of the quality requested in the page's address, negative for none */
 function chooserFor(view, asked) {
   const isFixed = asked >= 0;
   const range = isFixed ? { first: asked, highest: asked } : qualityRange(view.graphics);
@@ -137,7 +137,7 @@ function chooserFor(view, asked) {
   return chooser;
 }
 
-/** @param {string} tip hint for the mouse; empty for none */
+/** @param {string} tip hint on using the mouse; empty for none */
 function showTip(tip) {
   const place = byId('stage-tip');
   setText(place, tip || place.textContent || '');

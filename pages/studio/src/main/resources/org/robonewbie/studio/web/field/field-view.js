@@ -1,4 +1,4 @@
-/** 3D view of the field: owns the three.js scene and renders it; the caller supplies the content. */
+/** 3D view of the field: creates and renders the three.js scene; the caller supplies the content. */
 import * as THREE from 'three';
 import { ball, BALL_RADIUS, ballShape } from './ball.js';
 import { BallTrail } from './ball-trail.js';
@@ -55,7 +55,7 @@ export class FieldView {
     this.board = new Board();
     this.scene.add(this.goals.group, this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
-    /** Whether the user wants real shadows; otherwise the quality decides. @type {boolean | undefined} */
+    /** Whether the user has switched real shadows on or off; if undefined, they depend on the quality level. @type {boolean | undefined} */
     this.wantedShadows = undefined;
     /** @type {Scene | undefined} */
     this.content = undefined;
@@ -99,7 +99,7 @@ export class FieldView {
     this.resize();
   }
 
-  /** @param {boolean} wanted whether the sun casts shadows at every quality; otherwise soft spots are drawn */
+  /** @param {boolean} wanted whether the sun casts shadows at every quality level; otherwise soft spots are drawn */
   setShadows(wanted) {
     this.wantedShadows = wanted;
     this.#drawShadows();
@@ -233,11 +233,11 @@ export class FieldView {
   }
 
   /**
-   * Moves the camera, and adapts light and goals to it.
+   * Moves the camera, and adapts the light and the goals to its view.
    *
    * @param {import('./camera-controller.js').CameraController} cameraController
    * @param {number} seconds since the last call
-   * @returns {boolean} whether the picture still changes
+   * @returns {boolean} whether the picture is still changing
    */
   look(cameraController, seconds) {
     const moves = cameraController.update(this.robots.poses, seconds, this.ball.position.toArray());

@@ -1,5 +1,5 @@
 /**
- * Unlit material: shows its colours exactly and fades to the haze at the horizon. Ground and sky fill most of the picture, so without a
+ * Unlit material: shows its colours exactly and fades into the haze at the horizon. Ground and sky fill most of the picture, so without a
  * graphics card they dominate the rendering time.
  */
 import * as THREE from 'three';

@@ -9,7 +9,7 @@ const POST_RADIUS = 0.03;
 const NET_STEP = 0.1;
 const NET_OPACITY = 0.6;
 
-/** Opacity of a faded goal, which can still be made out. */
+/** Opacity of a faded goal, which remains faintly visible. */
 const MIN_OPACITY = 0.06;
 const FADE_SECONDS = 0.3;
 
@@ -66,7 +66,7 @@ export class Goals {
   /**
    * Fades goals out and in.
    *
-   * @param {import('../state/view-point.js').ViewPoint | undefined} view the view of a robot that no goal may hide
+   * @param {import('../state/view-point.js').ViewPoint | undefined} view the view of a robot that must not be hidden by a goal
    * @param {number} seconds since the last call
    * @returns {boolean} whether a goal is still fading
    */

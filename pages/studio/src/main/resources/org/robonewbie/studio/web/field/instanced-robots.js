@@ -1,4 +1,4 @@
-/** Draws all robots of the scene in three draw calls, however many there are. */
+/** Draws all robots in the scene in three draw calls, regardless of their number. */
 import * as THREE from 'three';
 import { computeLinkPoses, POSE } from '../state/kinematics.js';
 import { limbFit } from '../state/limb-fit.js';

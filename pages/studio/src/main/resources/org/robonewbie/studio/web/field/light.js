@@ -44,7 +44,7 @@ export const PALETTES = {
 /** Direction of the sun. */
 export const SUN = new THREE.Vector3(3, -5, 8);
 
-/** Half the width of the area with shadows, per metre of the camera's distance. */
+/** Half the width of the area in which shadows are drawn, per metre of the camera's distance. */
 const SHADOW_REACH = 0.6;
 const MIN_SHADOW_METRES = 2;
 const SKY_RADIUS = 150;
@@ -75,7 +75,7 @@ export class Light {
   }
 
   /**
-   * Moves sun and sky with the view, so that shadows are sharp at the target and the sky dome stays out of reach.
+   * Moves the sun and the sky with the view, so that shadows are sharp at the target and the sky dome stays out of reach.
    *
    * @param {number[]} target point that the camera looks at
    * @param {THREE.Vector3} eye

@@ -13,7 +13,7 @@ import * as THREE from 'three';
  * @property {'z' | 'y' | 'x'} [axis] axis of the loft; default z
  * @property {number} [segments] facets around the axis
  * @property {number} [rings] facets along the axis
- * @property {number} [square] 2 = ellipse, more = squarer
+ * @property {number} [square] 2 = ellipse, higher values = squarer
  * @property {number} [inflate] offset of the surface, metres
  * @property {[number, number]} [around] range of angles to which the loft is limited: degrees, 0 = front (y), 90 = right (x)
  * @property {[number, number]} [along] range of the axis to which the loft is limited, from 0 to 1

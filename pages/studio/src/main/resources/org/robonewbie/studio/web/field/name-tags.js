@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { element } from '../panels/elements.js';
 import { nameOf, shownTags } from '../state/name-tags.js';
 
-/** Height of a tag above the centre of the torso, which clears the head. */
+/** Height of a tag above the centre of the torso, enough to clear the head. */
 const METRES_ABOVE_TORSO = 0.31;
 const ROBOT_METRES = 0.57;
 

@@ -92,7 +92,7 @@ const triangle = new THREE.Triangle();
 const SMALLEST_SQUARE_METRES = 1e-10;
 
 /**
- * Mirrors a right limb to the left.
+ * Mirrors a right limb to create the left one.
  *
  * @param {THREE.BufferGeometry} right modified in place
  * @returns {THREE.BufferGeometry}

@@ -1,4 +1,4 @@
-/** Pointer controller of the pitch: turns and moves the view, selects robots, drags and throws the ball, drags and turns robots. */
+/** Pointer controller for the pitch: turns and moves the view, selects robots, drags and throws the ball, drags and turns robots. */
 import { headingTo, throwOf } from '../state/grip.js';
 import { headingDegrees, standingHeight } from '../state/kinematics.js';
 import { BALL_RADIUS } from './ball.js';
@@ -34,7 +34,7 @@ const TIPS = {
 };
 
 export class PointerController {
-  /** Number of the last drag. Starts at a random value, because other pages number their drags too. */
+  /** Number of the last drag. Starts at a random value, because other pages also number their drags. */
   #gestures = 1000 * Math.floor(1e9 * Math.random());
   #lastOrder = 0;
   /** @type {Grip | undefined} */
@@ -48,7 +48,7 @@ export class PointerController {
    * @param {() => boolean} world.isSteered whether objects can be moved
    * @param {(command: object) => void} world.send
    * @param {() => void} world.changed requests a redraw
-   * @param {(tip: string) => void} [world.showTip] shows a hint for the mouse
+   * @param {(tip: string) => void} [world.showTip] shows a hint on using the mouse
    */
   constructor(view, cameraController, world) {
     this.view = view;
@@ -65,7 +65,7 @@ export class PointerController {
     stage.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
   }
 
-  /** Draws the ring around the object under the pointer and follows it when it moves. */
+  /** Draws the ring around the object under the pointer, and moves it with the object. */
   draw() {
     const { marked } = this.pointing;
     const pose = marked && this.world.isSteered() ? this.pointing.poseOf(marked) : undefined;

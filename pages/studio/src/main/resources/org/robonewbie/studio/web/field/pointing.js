@@ -19,7 +19,7 @@ const BORDER_METRES = 1;
 const LEAVE = 1.7;
 
 export class Pointing {
-  /** The object under the pointer, or the one chosen last; the ring is drawn around it. @type {Thing | undefined} */
+  /** The object under the pointer, or the last one chosen; the ring is drawn around it. @type {Thing | undefined} */
   marked;
 
   /**

@@ -1,4 +1,4 @@
-/** The ring on the ground around the object under the pointer, and the arrow that shows its new direction or flight. */
+/** The ring on the ground around the object under the pointer, and the arrow that shows the robot's new direction or the ball's flight. */
 import * as THREE from 'three';
 
 const HEIGHT = 0.014;
@@ -36,7 +36,7 @@ export class Ring {
    * @param {object} [sign]
    * @param {number} [sign.degrees] direction of the arrow; no arrow if omitted
    * @param {number} [sign.length] distance of its tip from the centre, metres
-   * @param {boolean} [sign.busy] whether it is being dragged or hovered
+   * @param {boolean} [sign.busy] whether it is being dragged or hovered over
    */
   show(centre, radius, { degrees, length = 1.5 * radius, busy = false } = {}) {
     this.group.visible = true;

@@ -1,4 +1,4 @@
-/** Soft round spots under feet, bodies and ball: a cheap approximation of shadows. */
+/** Soft round spots under the feet, the bodies and the ball: a cheap approximation of shadows. */
 import * as THREE from 'three';
 import { POSE } from '../state/kinematics.js';
 import { BALL_RADIUS } from './ball.js';

@@ -1,4 +1,4 @@
-/** WebSocket connection to the simulator: opens and reopens it, and forwards what arrives. */
+/** WebSocket connection to the simulator: opens and reopens it, and forwards incoming data. */
 
 const RETRY_MILLISECONDS = 400;
 const MAX_MISSED_CHECKS = 10;
@@ -73,7 +73,7 @@ export class Connection {
   }
 
   /**
-   * Sends a command to the simulator; ignored without a connection.
+   * Sends a command to the simulator. Ignored if there is no connection.
    *
    * @param {object} command command such as `{do: 'pause'}`
    */
@@ -84,8 +84,8 @@ export class Connection {
   }
 
   /**
-   * Closes a stalled connection, for example after the computer was suspended; a hidden page does not check. Call twice per second. Checks
-   * are counted rather than seconds, so that a page that was itself blocked does not time out.
+   * Closes a stalled connection, for example after the computer has been suspended, unless the page is hidden. Call twice per second.
+   * Checks are counted rather than seconds, so that a page that was itself blocked does not time out.
    */
   checkSilence() {
     this.missedChecks += 1;
@@ -106,7 +106,7 @@ export class Connection {
     }
   }
 
-  /** Makes a plain HTTP request to learn why the WebSocket was refused, because browsers do not report the reason. */
+  /** Makes a plain HTTP request to find out why the WebSocket was refused, because browsers do not report the reason. */
   async #fetchRefusal() {
     try {
       const answer = await fetch(this.address.replace(/^ws/, 'http'), { method: 'POST' });

@@ -1,4 +1,4 @@
-/** The page's view of the running simulation: takes messages and frames, and provides the state to show. Independent of rendering. */
+/** The page's view of the running simulation: receives messages and frames, and provides the state to display. Independent of rendering. */
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { Smoothing } from '../state/smoothing.js';
 import {
@@ -45,7 +45,7 @@ export class Session {
     this.drawn = new DrawingMemory();
     /** Whether the picture must be redrawn. */
     this.stale = true;
-    /** Whether the simulator waits for this page to acknowledge a frame. */
+    /** Whether the simulator is waiting for this page to acknowledge a frame. */
     this.owesAnswer = false;
   }
 
@@ -58,7 +58,7 @@ export class Session {
     return this.cursor.shown(this.state);
   }
 
-  /** The robots' drawings around the shown moment. */
+  /** The robots' drawings around the displayed moment. */
   get drawings() {
     return this.cursor.recorded?.drawings ?? this.drawn;
   }
@@ -106,7 +106,7 @@ export class Session {
     }
   }
 
-  /** @param {string} starting what is about to replace the scene; empty for nothing */
+  /** @param {string} starting description of what is about to replace the scene; empty if nothing is */
   announce(starting) {
     if (starting !== this.state.starting) {
       this.#set(withStarting(this.state, starting));
@@ -127,7 +127,9 @@ export class Session {
     }
   }
 
-  /** Returns whether a frame equals the previous one: a paused world repeats it every second. @param {ArrayBuffer} bytes */
+  /**
+   * Returns whether a frame equals the previous one, which is repeated every second while the world is paused. @param {ArrayBuffer} bytes
+   */
   #repeats(bytes) {
     const [last, next] = [this.#lastBytes, new Uint8Array(bytes)];
     this.#lastBytes = next;
@@ -141,7 +143,7 @@ export class Session {
   }
 
   /**
-   * Returns the robot at an index in the shown scene, with its posture at the shown moment.
+   * Returns the robot at an index in the displayed scene, with its posture at the displayed moment.
    *
    * @param {number} index
    * @returns {{name: string, degrees: ArrayLike<number>} | undefined}
@@ -156,7 +158,7 @@ export class Session {
       : undefined;
   }
 
-  /** @returns {import('../state/studio-state.js').StudioState} state for the panels of the field */
+  /** @returns {import('../state/studio-state.js').StudioState} state for the field's panels */
   get onPanels() {
     const { tense, scene, frame } = this.shown;
     const { state } = this;

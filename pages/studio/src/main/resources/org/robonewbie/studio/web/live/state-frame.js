@@ -58,7 +58,7 @@
  * @property {boolean} [puppets] whether manually controlled robots can join
  * @property {Trial} [trial] the running trial of an exercise, if any
  *
- * @typedef {{task: string, attempt: number, seed: number}} Trial trials of the same task and seed start identically
+ * @typedef {{task: string, attempt: number, seed: number}} Trial trials with the same task and seed start identically
  */
 
 const VERSION = 1;
@@ -71,7 +71,7 @@ const STEPS_PER_DEGREE = 100;
  * @param {ArrayBuffer} bytes encoded frame
  * @param {Scene} scene the current scene
  * @returns {Frame | undefined} the state, or undefined if the frame belongs to another scene
- * @throws {Error} if the protocol version of the studio differs from that of this page
+ * @throws {Error} if the studio's protocol version differs from this page's
  */
 export function readFrame(bytes, scene) {
   const view = new DataView(bytes);

@@ -1,4 +1,4 @@
-/** Balances a motion and reports the keyframes for which that is impossible. */
+/** Balances a motion and reports the keyframes that cannot be balanced. */
 import { balanceText, madeBalanced } from '../state/motion/balancing.js';
 import { selected } from '../state/motion/editor-state.js';
 import { showFindings } from '../panels/questions.js';

@@ -26,11 +26,13 @@ export class Drafts {
   constructor(files, editor) {
     this.files = files;
     this.editor = editor;
-    /** The document that the draft on the disk contains. @type {object | undefined} */
+    /** The document stored in the draft on the disk. @type {object | undefined} */
     this.kept = undefined;
   }
 
-  /** @param {EditorState} state @returns {boolean} whether the shown work is stored neither in its file nor as a draft */
+  /**
+   * @param {EditorState} state @returns {boolean} whether the open motion has changes that are stored neither in its file nor in a draft
+   */
   isAtRisk(state) {
     return isWork(state) && documentOf(state) !== this.kept;
   }
@@ -77,7 +79,7 @@ export class Drafts {
     }
   }
 
-  /** @param {string} known empty for a motion that was never stored @param {ReturnType<typeof documentOf>} document */
+  /** @param {string} known empty for a motion that has never been stored @param {ReturnType<typeof documentOf>} document */
   async #write(known, document) {
     const name = known || (await this.newName());
     await this.files.writeDraft(name, document);

@@ -1,4 +1,4 @@
-/** Model of the motion editor: holds the state and connects it with files, drafts and trials. Independent of rendering. */
+/** Model of the motion editor: holds the state and connects it to files, drafts and trials. Independent of rendering. */
 import { keepText, recallText } from '../panels/memory.js';
 import { Drafts, namelessDrafts } from './drafts.js';
 import { judgeDisk } from '../state/motion/disk.js';
@@ -56,9 +56,9 @@ export class Editor {
     this.marks = [];
     /** @type {import('../state/motion/lag.js').Lag | undefined} */
     this.lag = undefined;
-    /** Whether the file has changed both on the disk and here, so that the user must decide. */
+    /** Whether the file has changed both on the disk and here, so the user must choose a version. */
     this.conflict = false;
-    /** Whether the motion seems to be written for the playback rule of RoboNewbie 1.1, so that the user must decide. */
+    /** Whether the motion seems to have been written for the playback rule of RoboNewbie 1.1, so the user must choose the rule. */
     this.isOriginal = false;
     this.busy = false;
     /** Whether the file is being written. */
@@ -178,7 +178,7 @@ export class Editor {
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
   }
 
-  /** Keeps the content of the editor; the next save replaces the file. */
+  /** Keeps the editor's content; the next save replaces the file. */
   keepMine() {
     const known = this.list.own.find(({ name }) => name === this.state.name);
     this.conflict = false;
@@ -255,7 +255,7 @@ export class Editor {
     return then.fallSeconds === undefined && now.fallSeconds !== undefined;
   }
 
-  /** Decides whether agents play the motion by the rule of RoboNewbie 1.1. @param {boolean} isOriginal */
+  /** Sets whether agents play the motion according to the rule of RoboNewbie 1.1. @param {boolean} isOriginal */
   decideRule(isOriginal) {
     this.isOriginal = false;
     const document = asOriginal(documentOf(this.state));
@@ -263,7 +263,7 @@ export class Editor {
   }
 
   /**
-   * Saves the motion. Saves are serialised, because each needs the version written by the one before.
+   * Saves the motion. Saves are serialised, because each save requires the version written by the previous one.
    *
    * @param {string} [asName] new name of the file
    * @returns {Promise<void>}

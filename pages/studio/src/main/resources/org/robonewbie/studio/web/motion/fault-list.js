@@ -1,4 +1,4 @@
-/** Lists the faults at the shown moment in an overlay on the motion editor's 3D view. */
+/** Lists the faults at the displayed moment in an overlay on the motion editor's 3D view. */
 import { element } from '../panels/elements.js';
 
 /** @typedef {import('../state/motion/faults.js').Fault} Fault */

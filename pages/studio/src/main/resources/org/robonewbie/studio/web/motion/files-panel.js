@@ -146,7 +146,7 @@ function fill(list, entries) {
   [...list.children].filter((item) => !items.includes(item)).forEach((item) => item.remove());
   items.forEach((item, i) => {
     if (item !== list.children[i]) {
-      list.insertBefore(item, list.children[i] ?? null); // moving the others would take the focus from them
+      list.insertBefore(item, list.children[i] ?? null); // moving the others would make them lose the focus
     }
   });
 }

@@ -1,4 +1,4 @@
-/** Pointer controller of the motion editor's 3D view: drags limbs, and turns and moves the camera. */
+/** Pointer controller for the motion editor's 3D view: drags limbs, and turns and moves the camera. */
 import * as THREE from 'three';
 import { poseMatrix } from '../field/instanced-robots.js';
 import { rotated } from '../state/kinematics.js';
@@ -211,7 +211,7 @@ function startOf(now) {
 }
 
 /**
- * Rounds the angles changed by the drag to a tenth of a degree; all other angles keep their digits.
+ * Rounds the angles changed by the drag to a tenth of a degree; all other angles remain unchanged.
  *
  * @param {readonly number[]} posture
  * @param {readonly number[]} before

@@ -31,8 +31,8 @@ export function farFrom(target, point) {
 /**
  * @param {Body} body
  * @param {readonly number[]} posture
- * @param {readonly number[]} joints joints that take part in the drag
- * @param {number} metres distance between limb and pointer
+ * @param {readonly number[]} joints joints that the drag can turn
+ * @param {number} metres distance between the limb and the pointer
  * @returns {number | undefined} the joint that blocks the limb
  */
 export function stuckJoint(body, posture, joints, metres) {

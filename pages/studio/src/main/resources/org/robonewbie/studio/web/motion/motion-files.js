@@ -1,4 +1,4 @@
-/** Client for the motion files of the studio's server. */
+/** Client for the motion files on the studio's server. */
 import { ask } from '../live/server.js';
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { decode, encode } from '../state/motion/motion-text.js';

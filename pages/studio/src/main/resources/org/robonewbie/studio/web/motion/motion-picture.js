@@ -24,7 +24,7 @@ export class MotionPicture {
     this.heldTorso = undefined;
   }
 
-  /** Returns the shown posture with the pose of its torso. */
+  /** Returns the displayed posture with the pose of its torso. */
   posedNow() {
     const { state } = this.editor;
     const posture = postureNow(state);
@@ -52,7 +52,7 @@ export class MotionPicture {
     this.showFaults([...faults, ...(lag ? lagFaults(state.body, lag, state.time) : [])]);
   }
 
-  /** Draws the physical robot with the plan as a ghost. */
+  /** Draws the physical robot, with the planned motion as a ghost. */
   #drawTrial() {
     const { stage } = this;
     const { state, lag } = this.editor;

@@ -177,7 +177,7 @@ class MotionRoom {
     byId('original-rule').hidden = !this.editor.isOriginal;
   }
 
-  /** Returns the shown posture with the pose of its torso. */
+  /** Returns the displayed posture with the pose of its torso. */
   posedNow() {
     return this.picture.posedNow();
   }

@@ -40,7 +40,7 @@ export function showNumber(field, text) {
   }
 }
 
-/** Commits typed text. Browsers only do so on blur, which key actions do not cause. */
+/** Commits typed text. Browsers do so only on blur, which keyboard actions do not cause. */
 export function takeTyped() {
   document.querySelector(`[data-${TYPED}='yes']`)?.dispatchEvent(new Event('change'));
 }

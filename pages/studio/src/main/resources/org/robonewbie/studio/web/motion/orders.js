@@ -37,7 +37,7 @@ const BALANCE_HINT =
 
 /**
  * @param {Editor} editor
- * @param {(work: Promise<unknown>) => void} run runs an action and reports its failure
+ * @param {(work: Promise<unknown>) => void} run runs an action and reports any failure
  * @returns {Order[]}
  */
 export function ordersOf(editor, run) {
@@ -163,7 +163,9 @@ async function saveAs(editor) {
   return name === undefined ? undefined : editor.save(name);
 }
 
-/** Returns whether saving needs a name: a motion from the library is saved under a new name. @param {Editor} editor */
+/**
+ * Returns whether a name is needed for saving, as for a motion from the library, which is saved under a new name. @param {Editor} editor
+ */
 function needsName({ state, list }) {
   return state.name === '' || (state.version === '' && list.library.includes(state.name));
 }

@@ -1,4 +1,4 @@
-/** Button that inserts the posture of a robot of the running simulation as a keyframe. */
+/** Button that inserts a robot's posture from the running simulation as a keyframe. */
 import { button } from '../panels/elements.js';
 
 /**

@@ -1,4 +1,4 @@
-/** Pointer controller of the timeline: selects and moves keyframes, turns joints, draws a selection box, scrubs, zooms and scrolls. */
+/** Pointer controller for the timeline: selects and moves keyframes, turns joints, draws a selection box, scrubs, zooms and scrolls. */
 import { setAttributes } from '../panels/drawing.js';
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { atTime, documentOf, framesOf, selected, shownLength } from '../state/motion/editor-state.js';
@@ -28,7 +28,7 @@ import { ROW } from './timeline-rows.js';
  * @property {Spot} from
  * @property {import('../state/motion/motion-text.js').MotionDocument} base
  * @property {string} gesture
- * @property {boolean} all whether all shown curves are dragged, not only the one under the pointer
+ * @property {boolean} all whether all visible curves are dragged, not only the one under the pointer
  */
 
 const NEAR_PIXELS = 9;
@@ -273,7 +273,7 @@ export class TimelineController {
     return { ...span, rows: order.slice(Math.max(0, Math.floor(top / ROW)), Math.floor(bottom / ROW) + 1) };
   }
 
-  /** Explains the target under the pointer. @param {Spot} spot @param {SVGElement} part */
+  /** Describes the target under the pointer. @param {Spot} spot @param {SVGElement} part */
   #explain({ frame, joint }, part) {
     if (part !== this.timeline.drawing) {
       return;

@@ -1,4 +1,4 @@
-/** Keyboard actions of the focused timeline. */
+/** Keyboard actions while the timeline has the focus. */
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { framesOf, selected } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';

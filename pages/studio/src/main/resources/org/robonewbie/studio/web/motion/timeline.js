@@ -58,7 +58,7 @@ export class Timeline {
     this.kinds = [];
     /** @type {Lag | undefined} */
     this.lag = undefined;
-    /** Inputs of the last drawing; while they are unchanged, it is not rebuilt. @type {unknown[]} */
+    /** Inputs of the last drawing, which is rebuilt only if they change. @type {unknown[]} */
     this.shown = [];
     this.scale = timeScale({ from: 0, span: 0 }, 0, 100);
     /** @type {import('./timeline-curves.js').AngleScale | undefined} */

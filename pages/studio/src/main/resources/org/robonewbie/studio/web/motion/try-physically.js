@@ -5,7 +5,7 @@ import { secondsText } from '../state/motion/timing.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 
-/** Minimum lag to report, in degrees; a smaller one is invisible. */
+/** Minimum lag to report, in degrees; smaller lags are not visible. */
 const KEPT_DEGREES = 1;
 
 /** @param {Editor} editor @param {string} start standing, back or front */

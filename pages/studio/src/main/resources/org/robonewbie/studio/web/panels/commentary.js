@@ -1,4 +1,4 @@
-/** Commentary of a match: optional goal replays, and notices of robots that join or leave. */
+/** Commentary on a match: optional goal replays, and notices when robots join or leave. */
 import { GoalReplay, lineUpChanges } from '../state/goal-replay.js';
 import { byId, check } from './elements.js';
 import { keep, recall } from './memory.js';

@@ -1,4 +1,4 @@
-/** Help for an exercise: hints that open one by one, and a solution after several attempts. */
+/** Help for an exercise: hints that are revealed one by one, and a solution after several attempts. */
 import { hintButton, solutionButton } from '../state/course.js';
 import { button, element, setText } from './elements.js';
 

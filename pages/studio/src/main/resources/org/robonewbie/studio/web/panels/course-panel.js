@@ -1,4 +1,4 @@
-/** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
+/** Exercise panel: select an exercise, run a program on it, and follow its grading live. */
 import { ask } from '../live/server.js';
 import {
   byLevel,
@@ -262,7 +262,7 @@ function parts(/** @type {HTMLElement} */ help, /** @type {HTMLElement} */ ghost
   return { ...made, detail };
 }
 
-/** Texts about an exercise. */
+/** Elements that describe an exercise. */
 function words() {
   return {
     list: element('ol', { class: 'lessons' }),
@@ -274,7 +274,7 @@ function words() {
   };
 }
 
-/** Controls of an attempt. */
+/** Controls for an attempt. */
 function controls() {
   const control = (/** @type {string} */ id, /** @type {string} */ title, text = '', kind = '') =>
     element('button', { type: 'button', id, title, class: kind }, text);

@@ -1,4 +1,4 @@
-/** Progress in the whole course: exercises, points, time, badges, and the table for a teacher. */
+/** Progress in the whole course: exercises, points, time, badges, and the teacher's table. */
 import { button, element, offer, setText } from './elements.js';
 
 /** @typedef {import('../state/course.js').Standings} Standings */

@@ -1,4 +1,4 @@
-/** Shows the drawings of the robots, with a tree of layers that can be switched on and off. */
+/** Shows the robots' drawings, with a tree of layers that can be switched on and off. */
 import { CYCLE_SECONDS } from '../state/cycle.js';
 import { ALL_DRAWINGS, DrawingLayers, KINDS, layerOf } from '../state/drawing-layers.js';
 import { standOf } from '../state/drawing-shapes.js';
@@ -38,7 +38,7 @@ export class DrawingController {
     return { keys: ['d', 'D'], shown: 'D', text: 'show or hide the robots’ drawings', act };
   }
 
-  /** @param {Moment} moment shown moment @param {DrawingMemory} memory */
+  /** @param {Moment} moment displayed moment @param {DrawingMemory} memory */
   show({ scene, frame }, memory) {
     const seconds = (frame?.cycle ?? 0) * CYCLE_SECONDS;
     const placed = [...memory.kinds.keys()].flatMap((robot) => {

@@ -76,7 +76,7 @@ export function check(id, text, hint, changed) {
  *
  * @param {string} name name of the file
  * @param {string | Blob} content
- * @param {string} [type] MIME type of a text
+ * @param {string} [type] MIME type of string content
  */
 export function offer(name, content, type = 'text/plain') {
   const address = URL.createObjectURL(typeof content === 'string' ? new Blob([content], { type }) : content);

@@ -1,4 +1,4 @@
-/** Recent game events: fouls and goals, shown below the score board for a few seconds. */
+/** Recent game events: fouls and goals, shown below the scoreboard for a few seconds. */
 import { byId, element } from './elements.js';
 
 const SHOWN_MILLISECONDS = 6000;

@@ -1,4 +1,4 @@
-/** Getting-started list: three things to try; each is crossed out when done, and the list disappears for good after the last. */
+/** Getting-started list: three things to try; each is crossed out when done, and the list disappears for good after the last one. */
 import { button, byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
 

@@ -1,4 +1,4 @@
-/** Keyboard handling and the page that explains the keys. */
+/** Keyboard handling, and the help dialog that lists the keys. */
 import { CAMERAS } from '../field/camera-controller.js';
 import { button, byId, element } from './elements.js';
 
@@ -69,7 +69,7 @@ export const FIELD_MOUSE = [
 ];
 
 /**
- * Listens to the keys of the current room, and explains them.
+ * Handles the keys of the current room, and lists them in the help dialog.
  *
  * @param {() => {actions: Action[], mouse: string[][]}} current
  */

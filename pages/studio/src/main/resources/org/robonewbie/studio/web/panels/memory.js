@@ -1,4 +1,4 @@
-/** Settings in the browser's local storage. A page opened from a file may have none; then settings last until it is closed. */
+/** Settings in the browser's local storage. A page opened from a file may have no storage; its settings then last until it is closed. */
 
 /**
  * @template T

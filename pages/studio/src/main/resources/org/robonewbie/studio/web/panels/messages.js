@@ -1,4 +1,4 @@
-/** Messages of the studio: a banner while there is nothing to see, and short notes. */
+/** The studio's messages: a banner while there is nothing to display, and short notes. */
 import { message } from '../state/studio-state.js';
 import { byId, element, setText } from './elements.js';
 
@@ -48,7 +48,7 @@ export function notes() {
   };
 }
 
-/** Shows a note when a script of this page fails. @param {(text: string) => void} note */
+/** Shows a note when one of the page's scripts fails. @param {(text: string) => void} note */
 export function reportMistakes(note) {
   const report = (/** @type {unknown} */ what) => note(`This page has failed: ${what}. Reload it.`);
   window.addEventListener('error', (event) => report(event.message));

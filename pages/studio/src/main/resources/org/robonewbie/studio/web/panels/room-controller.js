@@ -53,8 +53,8 @@ export class RoomController {
    * @param {() => boolean} surroundings.hasClock whether the clock can be paused
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera returns the field's camera
-   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots returns the robots now on the pitch
-   * @param {() => boolean} surroundings.isPitchEmpty whether the pitch has no robots and takes puppets
+   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots returns the robots currently on the pitch
+   * @param {() => boolean} surroundings.isPitchEmpty whether the pitch has no robots and puppets can join
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -96,7 +96,7 @@ export class RoomController {
     this.#showBusy();
   }
 
-  /** Marks the page as busy while a room is loading, for screen readers among others. */
+  /** Marks the page as busy while a room is loading, for example for screen readers. */
   #showBusy() {
     document.body.ariaBusy = String(this.opening.size > 0);
   }
@@ -120,7 +120,7 @@ export class RoomController {
     return this.motion?.editor.isAtRisk === true || this.program?.isAtRisk === true;
   }
 
-  /** Forgets the telemetry subscriptions. Call after the simulator has changed or another room has replaced them. */
+  /** Discards the telemetry subscriptions. Call after the simulator has changed or another room has replaced them. */
   forget() {
     this.robot?.forget();
     this.program?.forget();

@@ -1,4 +1,4 @@
-/** Navigation between the rooms (main views) of the studio; the fragment of the address names the room. */
+/** Navigation between the rooms (main views) of the studio; the fragment of the address identifies the room. */
 import { byId, element } from './elements.js';
 
 /** @typedef {'field' | 'program' | 'robot' | 'motion' | 'replay'} RoomName */

@@ -44,9 +44,9 @@ export function scenePanel(note, goLive) {
 }
 
 class ScenePanel {
-  /** Serialises the actions, however fast the user clicks. @type {Promise<void>} */
+  /** Serialises the actions, because the user may click again before an action is complete. @type {Promise<void>} */
   #last = Promise.resolve();
-  /** Names of the undo and redo actions when the list was last read; these may restore or remove a scene. */
+  /** Names of the undo and redo actions when the list was last read; such actions may restore or remove a scene. */
   #known = '';
 
   /** @param {(text: string) => void} note @param {() => void} goLive */

@@ -1,10 +1,10 @@
-/** Score board: teams, score, game time and play mode; hidden while a team is missing and there is no goal. */
+/** Scoreboard: teams, score, game time and play mode; hidden while a team is missing and there is no goal. */
 import { scoreBoard } from '../state/studio-state.js';
 import { byId, element, setText } from './elements.js';
 
 /** @typedef {import('../state/studio-state.js').StudioState} StudioState */
 
-/** @returns {(state: StudioState, now: number) => void} function that updates the score board */
+/** @returns {(state: StudioState, now: number) => void} function that updates the scoreboard */
 export function scoreBoardPanel() {
   const left = element('span', { class: 'team left' });
   const right = element('span', { class: 'team right' });

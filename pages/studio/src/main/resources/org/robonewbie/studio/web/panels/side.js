@@ -9,7 +9,8 @@ import { keep, recall } from './memory.js';
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {import('../field/camera-controller.js').CameraController} CameraController
  * @typedef {import('../field/camera-controller.js').CameraMode} CameraMode
- * @typedef {{names: boolean, trail: boolean, shadows?: boolean}} Picture options of the picture; the quality decides about shadows by default
+ * @typedef {{names: boolean, trail: boolean, shadows?: boolean}} Picture options of the picture; by default, shadows depend on the quality
+ * level
  */
 
 const PICTURE_KEY = 'robonewbie-picture';
@@ -43,7 +44,7 @@ export function cameraPanel(camera, options) {
   };
 }
 
-/** Creates check boxes whose state the browser stores. @param {(shown: Picture) => void} show */
+/** Creates check boxes whose state is stored in the browser. @param {(shown: Picture) => void} show */
 function pictureChecks(show) {
   /** @type {Picture} */
   const shown = { names: true, trail: true, ...recall(PICTURE_KEY, {}) };

@@ -1,4 +1,7 @@
-/** Split view: panels side by side, with edges that can be moved with mouse and arrow keys; the browser stores the layout of each room. */
+/**
+ * Split view: panels side by side, with edges that can be moved with the mouse or the arrow keys; each room's layout is stored in the
+ * browser.
+ */
 import {
   EDGE_PIXELS,
   defaultLayout,

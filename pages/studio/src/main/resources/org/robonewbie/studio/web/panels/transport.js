@@ -8,7 +8,7 @@ import { button, byId, choice, element, setText } from './elements.js';
  * @typedef {ReturnType<typeof timeActions>} Actions
  */
 
-/** Explains why time cannot be stopped over a monitor port. */
+/** Explains why time cannot be stopped through a monitor port. */
 export const NO_CLOCK = 'The watched server has its own clock; a monitor cannot stop it.';
 
 /**

@@ -4,7 +4,7 @@ import { nextLevel, SKIPPED } from '../state/program/first-minute.js';
 import { recall } from './memory.js';
 
 /**
- * Opens the program room for a newcomer, unless the address names a room.
+ * Opens the program room for a newcomer, unless the address specifies a room.
  *
  * @param {import('../program/program-service.js').ProgramList} programs
  */

@@ -19,7 +19,7 @@ const FIXED = ['picture', 'code'];
 export class Workspace {
   /** @type {RoomName} */
   #room = 'field';
-  /** Whether panels of a robot are shown. */
+  /** Whether a robot's panels are shown. */
   showsRobot = false;
   /** The robot shown by both the 3D view and the panels. */
   #robot = 0;
@@ -51,7 +51,7 @@ export class Workspace {
   }
 
   /**
-   * Makes the 3D view and the panels show the same robot; the most recent choice wins.
+   * Makes the 3D view and the panels show the same robot; the most recent choice takes precedence.
    *
    * @param {{chosen: number}} picture
    * @param {{chosen: number}} panels
@@ -65,7 +65,7 @@ export class Workspace {
     this.#robot = picture.chosen;
   }
 
-  /** Marks panels whose content continues below their edge, and makes them focusable. Call periodically. */
+  /** Marks panels whose content continues below their lower edge, and makes them focusable. Call periodically. */
   markMore() {
     for (const panel of document.querySelectorAll('#side, .panel-inside, .curves, .log')) {
       const hidden = panel.scrollHeight - panel.clientHeight - panel.scrollTop;
@@ -87,7 +87,7 @@ export class Workspace {
     this.split.draw();
   }
 
-  /** Fills the menu of the panels. */
+  /** Fills the panel menu. */
   #listPanels() {
     const reset = button('Reset', 'Restore the default panels of this room', () => {
       this.split.reset();

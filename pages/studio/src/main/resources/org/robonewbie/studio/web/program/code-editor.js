@@ -69,7 +69,7 @@ export class CodeEditor {
     root.append(inside);
     this.extensions = this.#extensions(listener);
     this.view = new EditorView({ root, parent: inside, state: this.#fresh('', true) });
-    // CodeMirror itself ignores a change of size shortly after an update; line numbers would slip beside wrapped lines.
+    // CodeMirror itself ignores a resize shortly after an update, which would misalign the numbers of wrapped lines.
     new ResizeObserver(() => this.view.requestMeasure()).observe(this.view.contentDOM);
   }
 
@@ -94,7 +94,7 @@ export class CodeEditor {
     this.replace(text);
   }
 
-  /** Replaces the text with what another program has written; undoable. @param {string} text */
+  /** Replaces the text with the version written by another program; undoable. @param {string} text */
   replace(text) {
     const { doc } = this.view.state;
     const change = difference(doc.toString(), text);
@@ -103,7 +103,7 @@ export class CodeEditor {
     }
   }
 
-  /** @param {readonly Remark[]} remarks remarks from the compiler */
+  /** @param {readonly Remark[]} remarks the compiler's remarks */
   setRemarks(remarks) {
     this.#remarks = remarks;
     const { state } = this.view;
@@ -116,7 +116,7 @@ export class CodeEditor {
     this.#say();
   }
 
-  /** @param {readonly Mistake[]} mistakes mistakes made by the running program */
+  /** @param {readonly Mistake[]} mistakes errors reported by the running program */
   setMistakes(mistakes) {
     this.#mistakes = mistakes;
     this.#say();

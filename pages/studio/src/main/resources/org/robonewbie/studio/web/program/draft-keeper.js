@@ -34,14 +34,14 @@ export class DraftKeeper {
     return !this.#isKept;
   }
 
-  /** Starts with another open file. @param {string} version version of its draft, empty if there is none */
+  /** Switches to another open file. @param {string} version version of its draft, empty if there is none */
   begin(version) {
     clearTimeout(this.#timer);
     this.#version = version;
     this.#isKept = true;
   }
 
-  /** Called after the open file was saved, which removes a draft with the same text. */
+  /** Called after the open file has been saved, which removes a draft with the same text. */
   saved() {
     this.begin('');
   }

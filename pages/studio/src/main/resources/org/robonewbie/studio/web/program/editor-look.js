@@ -1,4 +1,4 @@
-/** Theme of the code editor: uses the page's colours, so that it follows light and dark. */
+/** Theme of the code editor: uses the page's colours, and therefore the page's light or dark theme. */
 import { Decoration, EditorView, HighlightStyle, syntaxHighlighting, tags } from 'codemirror';
 
 const theme = EditorView.theme({
@@ -31,7 +31,7 @@ const theme = EditorView.theme({
   '.cm-tooltip-autocomplete .cm-completionDetail': { marginLeft: '1em', fontStyle: 'normal', opacity: '0.75' },
   '.cm-completionInfo': { maxWidth: '30em', padding: '6px 10px', whiteSpace: 'pre-wrap', fontFamily: 'inherit' },
   '.cm-said': {
-    // As wide as the visible lines and wrapped there, so that long remarks do not widen the editor.
+    // As wide as the visible part of the editor, with wrapped text, so that long remarks do not widen it.
     boxSizing: 'border-box',
     width: '0',
     minWidth: '100%',
@@ -60,7 +60,7 @@ const colours = HighlightStyle.define([
   { tag: [tags.annotation, tags.meta], color: 'var(--code-number)' },
 ]);
 
-/** Indents the continuation of a wrapped line deeper than its beginning, by whole tabs so that the tab stops stay in place. */
+/** Indents the continuation of a wrapped line more deeply than its beginning, by whole tabs so that the tab stops stay in place. */
 const hangingIndent = EditorView.decorations.of(({ state: { doc, tabSize }, viewport }) => {
   const ranges = [];
   for (let at = viewport.from; at <= viewport.to;) {

@@ -13,7 +13,7 @@ export class EncodingNote {
     this.change = change;
   }
 
-  /** @param {OpenFile} file @param {string} before its encoding before the last save */
+  /** @param {OpenFile} file @param {string} before the encoding before the last save */
   show(file, before) {
     const { encoding } = file.source;
     const inferred = encodingNote({ ...file.source, content: file.content });

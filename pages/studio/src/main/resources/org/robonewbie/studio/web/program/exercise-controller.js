@@ -1,4 +1,4 @@
-/** Exercises in the program room: the task above the program, and the Check button, which runs the judge on the editor's text. */
+/** Exercises in the program room: the task above the program, and the Check button, which grades the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
 import { checkText, hints, progressText, startingText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
@@ -16,7 +16,7 @@ export class ExerciseController {
   #looking = false;
   #isShown = false;
   #isFast = false;
-  /** State of the checked program; empty without an attempt. */
+  /** State of the program being checked; empty if there is no attempt. */
   status = '';
 
   /** @param {any} room */
@@ -61,7 +61,7 @@ export class ExerciseController {
     await files.openOwn(path);
   }
 
-  /** Shows the task of the exercise that the open program solves. */
+  /** Shows the task of the exercise to which the open program belongs. */
   draw() {
     const { file } = this.room.files;
     const lesson = file?.kind === 'own' ? lessonOf(file.path, this.lessons) : undefined;

@@ -29,7 +29,7 @@ const LOOK_MILLISECONDS = 1000;
 
 export class FileController {
   #isPolling = false;
-  /** Original text of the shared program that was opened last. */
+  /** Original text of the most recently opened shared program. */
   #asShared = '';
   #sharedVersion = '';
 
@@ -131,7 +131,7 @@ export class FileController {
     if (!file || !isOpenToChange(file)) {
       return false;
     }
-    await this.drafts.keep().catch(() => false); // a text without a draft can still be saved
+    await this.drafts.keep().catch(() => false); // the text can be saved even without a draft
     const content = written(file, this.editor.text);
     const encoding = encodingFor(file.source, content);
     try {
@@ -168,7 +168,7 @@ export class FileController {
     this.#draw();
   }
 
-  /** @param {OpenFile} file @param {string} text text of the editor, if it differs from the file */
+  /** @param {OpenFile} file @param {string} text the editor's text, if it differs from the file */
   #show(file, text) {
     this.file = file;
     const isExample = file.kind === 'example';
@@ -238,7 +238,7 @@ export class FileController {
     await this.room.save();
   }
 
-  /** Discards the shared program unless it was changed, and opens the previous one. @param {{path: string, before: string}} shared */
+  /** Discards the shared program unless it has been changed, and opens the previous one. @param {{path: string, before: string}} shared */
   async #discardShared({ path, before }) {
     if (this.editor.text === this.#asShared) {
       await this.service.removeDraft(path, this.#sharedVersion);
@@ -313,7 +313,9 @@ export class FileController {
     }
   }
 
-  /** @param {ProgramList} list the current list of files @param {OpenFile | undefined} file the file that was open before it was read */
+  /**
+   * @param {ProgramList} list the current list of files @param {OpenFile | undefined} file the file that was open before the list was read
+   */
   async #take(list, file) {
     const now = list.own.find(({ path }) => path === file?.path)?.version;
     const isOther = JSON.stringify(list) !== JSON.stringify(this.list);

@@ -1,4 +1,7 @@
-/** Tutorial for new users: three levels above the program, judged in the simulated world, and an arrow at the next step. */
+/**
+ * Tutorial for new users: three levels, which are displayed above the program and graded in the simulated world, and an arrow that points
+ * to the next step.
+ */
 import { ask } from '../live/server.js';
 import { button, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
@@ -24,7 +27,7 @@ export class FirstMinute {
   #level;
   /** @type {Attempt | undefined} */
   #attempt;
-  /** Text of the program that was tried last. */
+  /** Text of the most recently tried program. */
   #tried = '';
   #isBroken = false;
   #hasPuppet = false;
@@ -70,7 +73,7 @@ export class FirstMinute {
     this.draw();
   }
 
-  /** Shows what to do next. Call after each change of the program. */
+  /** Shows what to do next. Call after each change to the program. */
   draw() {
     const level = this.#shownLevel;
     const step = level && this.#step(level);
@@ -221,11 +224,11 @@ export class FirstMinute {
     this.opened();
   }
 
-  /** Shows a robot on an empty pitch as soon as the pitch is known. */
+  /** Adds a robot to an empty pitch as soon as the state of the pitch is known. */
   #addPuppet() {
     const { robots, isPitchEmpty, send } = this.room.surroundings;
     const timer = setInterval(() => {
-      this.#hasPuppet = robots().some((/** @type {{puppet: boolean}} */ { puppet }) => puppet); // from before a reload
+      this.#hasPuppet = robots().some((/** @type {{puppet: boolean}} */ { puppet }) => puppet); // added before a reload
       if (isPitchEmpty() && this.#level && !this.#attempt) {
         this.#hasPuppet = true;
         send({ do: 'addPuppet', side: PUPPET.side });

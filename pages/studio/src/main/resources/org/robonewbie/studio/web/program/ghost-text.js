@@ -1,4 +1,4 @@
-/** Shows a proposed change of the program as grey text, which Tab or a click inserts. */
+/** Shows a proposed change to the program as grey text, which Tab or a click inserts. */
 import { Decoration, EditorView, keymap, StateEffect, StateField, WidgetType } from 'codemirror';
 import { element } from '../panels/elements.js';
 import { ghostOf } from '../state/program/first-minute.js';

@@ -66,7 +66,7 @@ export class HistoryController {
     }
   }
 
-  /** Saves unsaved text first, so that it becomes a version too. @param {string} text */
+  /** Saves unsaved text first, so that it is also kept as a version. @param {string} text */
   async #restore(text) {
     const { files, editor } = this.room;
     if (!isUnsaved(files.file, editor.text) || (await files.save())) {

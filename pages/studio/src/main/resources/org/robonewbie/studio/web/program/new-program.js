@@ -24,7 +24,7 @@ export async function makeProgram(files, example) {
   }
 }
 
-/** Creates an editable copy of the shown example. @param {FileController} files */
+/** Creates an editable copy of the open example. @param {FileController} files */
 export async function copyExample(files) {
   if (files.file?.kind === 'example') {
     await create(files, nameFor(files, files.file.path), files.file.path);

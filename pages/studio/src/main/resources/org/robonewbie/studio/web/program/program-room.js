@@ -19,8 +19,8 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} goLive
  * @property {(starting: string) => void} announce
  * @property {(command: object) => void} send
- * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots now on the pitch
- * @property {() => boolean} isPitchEmpty whether the pitch has no robots and takes puppets
+ * @property {() => readonly import('../live/state-frame.js').Player[]} robots returns the robots currently on the pitch
+ * @property {() => boolean} isPitchEmpty whether the pitch has no robots and puppets can join
  */
 
 const CHECK_MILLISECONDS = 300;
@@ -46,7 +46,7 @@ class ProgramRoom {
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
-    /** Controls below the program: for its run, and for less frequent actions. */
+    /** Controls below the program: for running it, and for less frequent actions. */
     this.foot = element('div', { class: 'program-foot' });
     code.append(this.bar, this.notes, place, this.foot);
     this.editor = new CodeEditor(place, {
@@ -63,7 +63,7 @@ class ProgramRoom {
     this.firstMinute = new FirstMinute(this);
   }
 
-  /** Opens the first file; actions of the user wait for it. */
+  /** Opens the first file; the user's actions wait until it is open. */
   open() {
     this.#ready = this.#open();
     return this.#ready;
@@ -84,7 +84,7 @@ class ProgramRoom {
     await this.runs.look();
   }
 
-  /** Opens the exercise or program that the address names. */
+  /** Opens the exercise or program specified in the address. */
   async #followAddress() {
     const wanted = programAt(location.hash);
     if (wanted !== '') {
@@ -108,12 +108,12 @@ class ProgramRoom {
     ];
   }
 
-  /** @returns {boolean} whether there is work stored neither in its file nor as a draft */
+  /** @returns {boolean} whether there is work that is stored neither in its file nor in a draft */
   get isAtRisk() {
     return this.files.isAtRisk;
   }
 
-  /** Runs an action and reports its failure. @param {() => Promise<void>} action */
+  /** Runs an action and reports any failure. @param {() => Promise<void>} action */
   attempt(action) {
     this.#ready.then(action).catch((error) => this.surroundings.note(error.message));
   }
@@ -143,7 +143,7 @@ class ProgramRoom {
     this.runs.forgetRobot();
   }
 
-  /** Compiles the text of the editor. */
+  /** Compiles the editor's text. */
   async check() {
     clearTimeout(this.#checkTimer);
     const { file } = this.files;
@@ -197,7 +197,7 @@ class ProgramRoom {
 }
 
 /**
- * Inserts a completion; after an open parenthesis, completion continues with the arguments.
+ * Inserts a completion; after an opening parenthesis, completion continues with the arguments.
  *
  * @param {string} insert
  * @returns {string | ((view: import('@codemirror/view').EditorView, chosen: unknown, from: number, to: number) => void)}

@@ -1,4 +1,4 @@
-/** Runs the program and shows its log, its plots and its errors at their lines. */
+/** Runs the program and shows its log, its plots, and its errors below the lines in which they occurred. */
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { lineOf, withMistake } from '../state/program/remarks.js';
@@ -24,7 +24,7 @@ export class RunController {
   #values = new Map();
   /** @type {readonly import('../state/program/remarks.js').Mistake[]} */
   #mistakes = [];
-  /** Texts of the robot's warnings and errors. @type {Set<string>} */
+  /** Messages of the robot's warnings and errors. @type {Set<string>} */
   #reports = new Set();
   #remarks = '';
   #hasMistakes = false;
@@ -144,7 +144,7 @@ export class RunController {
     }
   }
 
-  /** Polls as long as the program runs. */
+  /** Polls as long as the program is running. */
   async #watch() {
     if (this.#isPolling) {
       return;
@@ -170,7 +170,7 @@ export class RunController {
     this.draw();
   }
 
-  /** Shows the errors at their lines of the program, if it is open. */
+  /** Shows the errors below the lines in which they occurred, if the program is open. */
   #showMistakes() {
     if (this.now.program === this.room.files.file?.path) {
       const crash = crashOf(this.now);
@@ -202,14 +202,14 @@ export class RunController {
     this.state.dataset.tone = this.#hasMistakes ? 'trouble' : tone;
   }
 
-  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks remarks from the compiler */
+  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks the compiler's remarks */
   showRemarks(text, remarks) {
     this.#remarks = text;
     this.#hasMistakes = remarks.some(({ serious }) => serious);
     this.draw();
   }
 
-  /** Called after an edit; shows values at the correct lines. */
+  /** Called after an edit, so that the values are shown at the correct lines without delay. */
   edited() {
     this.#valuesAt = 0;
   }
@@ -233,7 +233,7 @@ export class RunController {
     });
   }
 
-  /** Changes a tunable number of the running program. @param {string} name @param {number} value */
+  /** Changes a tunable number in the running program. @param {string} name @param {number} value */
   #tune(name, value) {
     const [team, number] = this.#robot.split('\t');
     this.room.surroundings.send({ do: 'tune', team, number: Number(number), name, value });
@@ -245,7 +245,7 @@ export class RunController {
       .map((/** @type {{team: string, number: number}} */ { team, number }) => robotKey(team, number));
   }
 
-  /** Subscribes to the telemetry of the program's robot; a page receives one robot at a time. */
+  /** Subscribes to the telemetry of the program's robot; a page receives that of only one robot at a time. */
   #listen() {
     const key = ownRobot(this.#robot, this.#before, this.#keys(), this.now.entersFirst);
     if (key !== '' && key !== this.#robot && !byId('program-room').hidden) {
@@ -256,7 +256,7 @@ export class RunController {
     }
   }
 
-  /** Called when another room has subscribed to another robot. */
+  /** Called when another room has subscribed to a different robot. */
   forgetRobot() {
     this.#robot = '';
   }
@@ -278,7 +278,10 @@ export class RunController {
     this.#showValues();
   }
 
-  /** Shows a log line: an error at its line of the program, anything else in the log. @param {import('../state/robot/telemetry.js').LogLine} log */
+  /**
+   * Shows a log line: an error below the line in which it occurred, anything else in the log. @param
+   * {import('../state/robot/telemetry.js').LogLine} log
+   */
   #addLogLine(log) {
     const isReport = ['WARNING', 'ERROR'].includes(log.level);
     const line = isReport && this.now.program === this.room.files.file?.path ? lineOf(log.text, this.now.program) : 0;

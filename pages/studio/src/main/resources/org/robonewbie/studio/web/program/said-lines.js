@@ -1,4 +1,4 @@
-/** Shows messages from compiler and robot below the lines they refer to, and values at the ends of lines. */
+/** Shows messages from the compiler and the robot below the lines to which they refer, and values at the ends of lines. */
 import { Decoration, EditorView, StateEffect, StateField, WidgetType } from 'codemirror';
 import { element } from '../panels/elements.js';
 

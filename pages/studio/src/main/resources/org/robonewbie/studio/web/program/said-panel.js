@@ -1,4 +1,4 @@
-/** Output panel of a program: errors with their lines, values, log, printed text and verdicts. */
+/** Output panel of a program: errors with their line numbers, values, log, printed text and verdicts. */
 import { button, element, setText } from '../panels/elements.js';
 import { valueText } from '../state/program/values.js';
 
@@ -10,11 +10,11 @@ export class SaidPanel {
   constructor(place, goTo) {
     this.goTo = goTo;
     this.place = place;
-    /** Container for the judge's verdict. */
+    /** Container for the result of the grading. */
     this.verdict = element('div', { id: 'program-verdict' });
     this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Errors found by the compiler' });
     this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Errors of the running program' });
-    /** Container for the sliders of the program's numbers. */
+    /** Container for the sliders for the program's tunable numbers. */
     this.sliders = element('div', {
       id: 'program-sliders',
       role: 'group',

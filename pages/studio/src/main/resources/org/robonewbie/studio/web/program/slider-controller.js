@@ -1,4 +1,4 @@
-/** Sliders for the tunable numbers of the running program: they act immediately, and the values can be written into the program. */
+/** Sliders for the tunable numbers of the running program: they take effect immediately, and the values can be written into the program. */
 import { button, element, setText } from '../panels/elements.js';
 import { ChosenNumbers, numberText, stepOf, withDefault } from '../state/program/sliders.js';
 

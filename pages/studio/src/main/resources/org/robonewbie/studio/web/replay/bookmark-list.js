@@ -1,4 +1,4 @@
-/** Bookmarks of the open recording: moments with notes, to jump to and to link to. */
+/** Bookmarks of the open recording: moments with notes, to which the user can jump or link. */
 import { button, element, setText } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 import { addBookmark, attempt, deleteBookmark } from './recording-api.js';
@@ -7,7 +7,7 @@ import { addBookmark, attempt, deleteBookmark } from './recording-api.js';
  * @typedef {import('./recording-api.js').Bookmark} Bookmark
  *
  * @typedef {object} Actions
- * @property {() => number} now the index of the shown moment
+ * @property {() => number} now the index of the displayed moment
  * @property {(index: number) => void} goTo
  * @property {() => Promise<void>} changed called when the list of recordings must be reloaded
  * @property {(text: string) => void} note
@@ -48,7 +48,7 @@ export class BookmarkList {
     );
   }
 
-  /** Opens the input for the note of a new bookmark. */
+  /** Opens the input field for the note of a new bookmark. */
   ask() {
     this.element.open = true;
     this.#field.focus();

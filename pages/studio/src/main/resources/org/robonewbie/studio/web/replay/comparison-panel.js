@@ -1,4 +1,4 @@
-/** Selects a second run for comparison and shows the distances between the two. */
+/** Selects a second run for comparison and shows the distances between the two runs. */
 import { shape } from '../panels/drawing.js';
 import { choice, element, setEntries, setText } from '../panels/elements.js';
 import { curveOf, differences, withGhosts } from '../state/replay/comparison.js';
@@ -40,7 +40,7 @@ export class ComparisonPanel {
     this.last = undefined;
   }
 
-  /** @param {readonly RecordingEntry[]} entries @param {string} own name of the shown run */
+  /** @param {readonly RecordingEntry[]} entries @param {string} own name of the displayed run */
   list(entries, own) {
     const names = entries.map(({ name }) => name).filter((name) => name !== own);
     const key = names.join('\n');

@@ -1,4 +1,4 @@
-/** Exports the open recording to files, with progress and cancel. */
+/** Exports the open recording to files, with a progress bar and a cancel button. */
 import { byId, offer } from '../panels/elements.js';
 import { pageOf, tableOf } from './exports.js';
 import { loadLog } from './recording-api.js';
@@ -12,8 +12,8 @@ import { loadLog } from './recording-api.js';
  * @property {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @property {(text: string) => void} note
  * @property {() => RecordingFile | undefined} file
- * @property {() => Section} section the exported section
- * @property {() => import('../field/camera-controller.js').CameraController} camera returns the camera that videos use
+ * @property {() => Section} section the section to export
+ * @property {() => import('../field/camera-controller.js').CameraController} camera returns the camera used for videos
  */
 
 /** Thrown when the user has cancelled the export. */

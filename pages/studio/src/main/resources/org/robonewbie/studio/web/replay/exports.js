@@ -9,7 +9,7 @@ import { mainRoster, tableHead, tableRows } from '../state/replay/table.js';
  * @typedef {[from: number, to: number]} Section indices of the first and the last moment
  */
 
-/** Size limit of the run in a page, per minute of the run; scripts and styles add about one megabyte to the page. */
+/** Size limit for the recording embedded in a page, per minute of the run; scripts and styles add about one megabyte to the page. */
 const MAX_BYTES_PER_MINUTE = 2_000_000;
 const MOMENTS_PER_MINUTE = 3000;
 const LETTERS_PER_BYTE = 4 / 3;

@@ -1,5 +1,5 @@
 /**
- * Client for the recordings of the studio's server.
+ * Client for the recordings on the studio's server.
  *
  * @typedef {{seconds: number, note: string}} Bookmark
  *
@@ -30,7 +30,7 @@ import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
 
 /**
- * Makes a change, reports a failure, and has the list of recordings reloaded.
+ * Makes a change, reports any failure, and reloads the list of recordings.
  *
  * @param {() => Promise<unknown>} change
  * @param {{note: (text: string) => void, changed: () => Promise<void>}} listener
@@ -68,7 +68,7 @@ export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob
 /**
  * @param {string} name
  * @param {number} skip bytes already known
- * @returns {Promise<{lines: string, bytes: number}>} logs and drawings of the robots, one JSON object per line
+ * @returns {Promise<{lines: string, bytes: number}>} the robots' logs and drawings, one JSON object per line
  */
 export async function loadNotes(name, skip) {
   const bytes = await (await ask(`notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();

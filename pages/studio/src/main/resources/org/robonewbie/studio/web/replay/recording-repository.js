@@ -1,4 +1,4 @@
-/** The recordings as cards, with their events and the paths of ball and robots. */
+/** The recordings as cards, with their events and the paths of the ball and the robots. */
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import {
   attempt,
@@ -117,7 +117,7 @@ export class RecordingRepository {
     }
   }
 
-  /** Fetches the summaries one after the other, so that the newest come first and the server is not flooded. @param {string[]} names */
+  /** Fetches the summaries one after the other, so that the newest come first and the server is not overloaded. @param {string[]} names */
   async #fetch(names) {
     for (const name of names) {
       const tile = this.#tiles.get(name);

@@ -107,7 +107,10 @@ export class ReplayBar {
     return made;
   }
 
-  /** Creates such a button that shows a sign. @param {string} id @param {string} sign @param {string} hint @param {string} key */
+  /**
+   * Creates a button that performs the action of a key and shows a symbol. @param {string} id @param {string} sign @param {string} hint
+   * @param {string} key
+   */
   #sign(id, sign, hint, key) {
     const made = this.#key(id, sign, hint, key);
     made.ariaLabel = hint;

@@ -1,4 +1,4 @@
-/** Time line of a replay: event marks, the repeated section, and the shown moment. */
+/** Time line of a replay: event marks, the section that is being repeated, and the displayed moment. */
 import { setAttributes, shape, title } from '../panels/drawing.js';
 import { element } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';

@@ -89,7 +89,7 @@ class ReplayRoom {
     }, LIST_MILLISECONDS);
   }
 
-  /** Reloads the list of recordings, and opens the one that the address names. */
+  /** Reloads the list of recordings, and opens the one specified in the address. */
   async refresh() {
     const { recordings } = await listRecordings();
     this.list = recordings;
@@ -101,7 +101,7 @@ class ReplayRoom {
     this.stale = true;
   }
 
-  /** Opens the recording that the address names, paused at the given moment or playing. */
+  /** Opens the recording specified in the address, paused at the given moment or playing. */
   #followAddress() {
     const { name, seconds, plays } = placeOf(location.hash);
     const isHere = location.hash.startsWith('#replay/') && this.list.some((each) => each.name === name);
@@ -114,7 +114,7 @@ class ReplayRoom {
     }
   }
 
-  /** Updates the room after the open recording was renamed or deleted. @param {string} from @param {string} to */
+  /** Updates the room after the open recording has been renamed or deleted. @param {string} from @param {string} to */
   #renamed(from, to) {
     if (this.file?.name === from) {
       this.file.close();
@@ -170,7 +170,7 @@ class ReplayRoom {
     }
   }
 
-  /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} the shown moment */
+  /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} the displayed moment */
   get picture() {
     const moment = this.file?.run.at(Math.round(this.state.index));
     if (!moment || !this.file) {
@@ -280,7 +280,7 @@ class ReplayRoom {
     }
   }
 
-  /** Returns the section to export: the repeated one, or the whole recording. @returns {import('./exports.js').Section} */
+  /** Returns the section to export: the one that is being repeated, or the whole recording. @returns {import('./exports.js').Section} */
   #section() {
     const [from, to] = this.state.loop ?? [0, this.state.count - 1];
     return [Math.round(from), Math.round(to)];
