@@ -1,5 +1,5 @@
 /**
- * Web worker with the Java compiler: answers `{id, sources}` with `{id, remarks, classes}`, and if `at` is given, with `{id, proposals}`.
+ * Web worker with the Java compiler: replies to `{id, sources}` with `{id, remarks, classes}` or, if `at` is given, with `{id, proposals}`.
  */
 import { load } from './compiler/webassembly-loader.js';
 

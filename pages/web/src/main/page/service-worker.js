@@ -50,7 +50,7 @@ async function fetched(request) {
   return answer;
 }
 
-/** Caches those files of the given folders that are not cached yet. @param {string[]} folders */
+/** Caches the files of the given folders that have not been cached yet. @param {string[]} folders */
 async function keepFolders(folders) {
   const { cacheName, files } = await list();
   const cache = await caches.open(cacheName);

@@ -1,6 +1,6 @@
 /**
- * Web worker that runs the simulator and the agents. A message such as `{begin: {agents, seed}}` or `{ask: command}`
- * contains the name of an action and its argument. The worker sends messages as texts or objects, and states as bytes.
+ * Web worker that runs the simulator and the agents. A message such as `{begin: {agents, seed}}` or `{ask: command}` contains the name of
+ * an action and its argument. The worker sends messages as strings or objects, and states as bytes.
  */
 import { load } from './webassembly-loader.js';
 
@@ -9,8 +9,8 @@ const REPORT_MILLISECONDS = 200;
 const MIN_SECONDS = 0.001;
 
 /**
- * Whether to load the program that executes user code. The worker's name selects it, because a service worker may drop a query from the
- * address.
+ * Whether to load the program that executes user code. This depends on the worker's name rather than a query, because a service worker may
+ * remove the query from the address.
  */
 const FOR_PROGRAMS = self.name === 'programs';
 

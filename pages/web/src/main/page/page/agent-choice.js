@@ -10,7 +10,7 @@ export class AgentChoice {
   /** @type {(agent: string) => void} */
   #join = () => {};
 
-  /** @param {readonly string[]} wanted agents that the page's address requests */
+  /** @param {readonly string[]} wanted agents requested in the page's address */
   constructor([first, ...others]) {
     this.chosen = first ?? FIRST;
     /** Agents that play alongside the selected one or the user's program. */
@@ -25,7 +25,7 @@ export class AgentChoice {
     document.querySelector('.bar-end')?.prepend(this.list, this.more, again);
   }
 
-  /** All agents that play without a user program. @returns {string[]} */
+  /** All agents that play if the user has no program on the pitch. @returns {string[]} */
   get all() {
     return [this.chosen, ...this.others];
   }
@@ -36,7 +36,7 @@ export class AgentChoice {
     this.#join = join;
   }
 
-  /** @param {readonly string[]} agents @param {string} [playing] the agent that plays; empty for a program or an empty pitch */
+  /** @param {readonly string[]} agents @param {string} [playing] the agent that is playing; empty for a program or an empty pitch */
   offer(agents, playing = '') {
     const entries = agents.map((name) => /** @type {[string, string]} */ ([name, name]));
     setEntries(this.list, entries);

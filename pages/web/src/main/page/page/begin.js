@@ -1,4 +1,4 @@
-/** Starts the studio for the world of this page and exposes it in the browser's console as `studio`, for tests. */
+/** Starts the studio for this page's world and exposes it in the browser's console as `studio`, for tests. */
 import { keep, recall } from '../panels/memory.js';
 import { isClassLink } from '../state/class-link.js';
 import { LAST_PROGRAM } from '../state/program/documents.js';

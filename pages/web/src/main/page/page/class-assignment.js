@@ -1,4 +1,4 @@
-/** For pupils: the exercises selected by a teacher's link, and the button that sends the pupils' programs for them. */
+/** Assignment as shown to pupils: the exercises selected by a teacher's link, and a button that packs the solutions for the teacher. */
 import { ask } from '../live/server.js';
 import { button, byId, element, offer, setText } from '../panels/elements.js';
 import { assignmentOf, isClassLink } from '../state/class-link.js';
@@ -51,7 +51,7 @@ async function ownPrograms() {
 /**
  * @param {Map<string, string>} programs all programs by path
  * @param {string[]} files paths of the solutions
- * @returns {Promise<Record<string, string>>} the solutions, and the classes and motions that they use, by the names that Java expects
+ * @returns {Promise<Record<string, string>>} the solutions, and the classes and motions used by them, keyed by the names that Java expects
  */
 async function filesOf(programs, files) {
   const found = new Map();
@@ -196,7 +196,7 @@ function state(file, programs, drafts) {
   return isSaved ? 'saved' : 'not begun yet';
 }
 
-/** Shows the assignment of this browser, if there is one, and a link to the page for teachers. */
+/** Shows this browser's assignment, if there is one, and a link to the page for teachers. */
 export function addAssignment() {
   const stored = storage().get(ASSIGNMENT);
   byId('class-choice').append(

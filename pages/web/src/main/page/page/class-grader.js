@@ -1,4 +1,4 @@
-/** Grades the programs of a class one after the other, with the compiler and the judge of this page. */
+/** Grades the programs of a class one after the other, with this page's compiler and judge. */
 import { ClassWorker } from './class-worker.js';
 import { PageCompiler } from './page-compiler.js';
 import { withReferences } from './project.js';
@@ -30,7 +30,7 @@ export class ClassGrader {
    * @param {Program[]} programs
    * @param {number} seeds number of trials
    * @param {(done: number, secondsLeft: number) => void} progressed
-   * @returns {Promise<Mark[]>} the grades; after a call to stop, only those so far
+   * @returns {Promise<Mark[]>} the grades; after a call to stop, only the grades so far
    */
   async grade(programs, seeds, progressed) {
     this.#isStopped = false;

@@ -104,7 +104,7 @@ class ClassPage {
     const before = this.#listed?.seeds;
     const listed = /** @type {Listed} */ (await this.#worker.call('programs', { received }));
     if (received !== this.#received) {
-      return; // what was added or removed in the meantime is listed by another call
+      return; // another call lists the submissions changed in the meantime
     }
     this.#listed = listed;
     const { students, senders, programs, seeds } = listed;

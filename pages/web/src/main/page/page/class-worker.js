@@ -3,7 +3,7 @@
 /** @typedef {{seed: number, passed: boolean, points: number, finding: string, hint: string}} Judged */
 
 const LOOK = { method: 'GET', path: ['attempt'] };
-/** Time without a report after which grading a program is abandoned; the worker normally reports several times per second. */
+/** Time without a report after which the grading of a program is abandoned; the worker normally reports several times per second. */
 const PATIENCE_MILLISECONDS = 60_000;
 
 export class ClassWorker {
@@ -22,7 +22,7 @@ export class ClassWorker {
     return worker;
   }
 
-  /** @param {any} data status of the worker; texts and bytes about the world are ignored */
+  /** @param {any} data status message from the worker; text and bytes about the world are ignored */
   #receive(data) {
     if (typeof data === 'string') {
       return;
@@ -37,7 +37,7 @@ export class ClassWorker {
     }
   }
 
-  /** @param {string} action action of the worker @param {object} data @returns {Promise<any>} its answer */
+  /** @param {string} action action of the worker @param {object} data @returns {Promise<any>} its result */
   async #ask(action, data) {
     this.#asked += 1;
     const id = this.#asked;
@@ -55,7 +55,7 @@ export class ClassWorker {
    * @param {'submission' | 'programs' | 'table'} action
    * @param {object} request
    * @returns {Promise<any>}
-   * @throws {Error} if the request is refused; the message is meant for the user
+   * @throws {Error} if the request is rejected; the message is meant for the user
    */
   call(action, request) {
     return this.#ask('call', { name: 'classroom', args: [action, JSON.stringify(request)] });
@@ -67,7 +67,7 @@ export class ClassWorker {
    * @param {string} exercise
    * @param {number} seeds number of trials
    * @param {Int8Array[]} classes classes of the program
-   * @param {[string, Int8Array][]} motions motions of its author by name
+   * @param {[string, Int8Array][]} motions the author's motions by name
    * @returns {Promise<Judged[]>}
    * @throws {Error} if the program cannot be graded
    */
@@ -95,7 +95,7 @@ export class ClassWorker {
     }
   }
 
-  /** Terminates the worker; a grading in progress fails. */
+  /** Terminates the worker; any grading in progress fails. */
   close() {
     this.#worker.terminate();
     this.#fail(new Error('Stopped.'));

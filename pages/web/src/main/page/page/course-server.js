@@ -1,11 +1,14 @@
-/** Local replacement for the course server: asks the course service in the world's worker, and stores its data in this browser. */
+/**
+ * Local replacement for the course server: forwards requests to the course service in the world's worker, and stores its data in this
+ * browser.
+ */
 import { isAnswer, requestOf, responseOf } from './page-server.js';
 import { storage } from './page-storage.js';
 
 const LANGUAGE = 'robonewbie-page-language';
 const PROGRESS = 'robonewbie-page-progress';
 
-/** @typedef {Record<string, any>} States progress by name of the exercise */
+/** @typedef {Record<string, any>} States progress by exercise name */
 
 export class CourseServer {
   #questions;
@@ -27,18 +30,18 @@ export class CourseServer {
     this.#programs = programs;
   }
 
-  /** @param {string} text changed progress, a JSON object */
+  /** @param {string} text the changed progress as a JSON object */
   keep(text) {
     Object.assign(this.#unsaved, JSON.parse(text).exercises);
     try {
       storage().set(PROGRESS, JSON.stringify(this.#progress));
       this.#unsaved = {};
     } catch {
-      // The next change tries again. Full storage is reported when a program is saved.
+      // Retried on the next change. Full storage is reported when a program is saved.
     }
   }
 
-  /** @param {string} text path and text of a starter program, a JSON object */
+  /** @param {string} text path and text of a starter program as a JSON object */
   create(text) {
     const { path, text: program } = JSON.parse(text);
     try {
@@ -97,7 +100,7 @@ export class CourseServer {
    * Loads the solution of an exercise, if a teacher has put the folder `solutions` from the teachers' zip next to this page.
    *
    * @param {string} exercise
-   * @returns {Promise<Record<string, string>>} text by name of the file
+   * @returns {Promise<Record<string, string>>} text by file name
    */
   async #solutions(exercise) {
     const { lessons } = await (await this.answer('', {})).json();

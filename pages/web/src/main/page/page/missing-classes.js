@@ -69,7 +69,7 @@ export function missingClasses(list) {
 /**
  * @param {string} remark message of javac, or why a program cannot run here
  * @param {Map<string, string>} missing full names of missing classes, by simple names
- * @param {string} code the part of the program that the message refers to
+ * @param {string} code the part of the program to which the message refers
  * @returns {string} what to do; empty if the cause is not a limitation of the page
  */
 export function insteadOfMissing(remark, missing = new Map(), code = '') {
@@ -77,7 +77,7 @@ export function insteadOfMissing(remark, missing = new Map(), code = '') {
   if (own) {
     return own[1];
   }
-  // For a qualified name, javac names the class only if the page has other classes of its package.
+  // For a qualified name, javac's message contains the class only if the page has other classes of its package.
   const name = [...missing.values()].find((each) => `${code}.`.startsWith(`${each}.`)) ?? fullName(remark, missing);
   return name ? advice(name) : '';
 }
@@ -108,7 +108,7 @@ function fullName(remark, missing) {
 }
 
 /**
- * Returns whether a name is missing here but exists in Java; a misspelt name is an ordinary error.
+ * Returns whether a name exists in Java but not in this page; a misspelt name is an ordinary error.
  *
  * @param {string} name
  * @param {Map<string, string>} missing

@@ -1,9 +1,9 @@
-/** Compressed texts and their form in links (base64url). */
+/** Compressed text and its representation in links (base64url). */
 
 /** Maximum size in bytes, before and after compression. */
 export const MAX_BYTES = 1_000_000;
 
-/** Thrown for a text that is larger than the maximum. */
+/** Thrown for text that exceeds the maximum size. */
 export class TooLarge extends Error {}
 
 /** @param {ReadableStream<any>} stream @returns {Promise<Uint8Array<ArrayBuffer>>} */

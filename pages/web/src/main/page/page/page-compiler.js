@@ -85,7 +85,7 @@ export class PageCompiler {
  * @param {string} shown
  * @param {string} text
  * @param {Map<string, string>} missing
- * @returns {Remark[]} the diagnostics; only those of the shown file have a position
+ * @returns {Remark[]} the diagnostics; only those of the displayed file have a position
  */
 function remarks(lines, shown, text, missing) {
   return lines.map((line) => {

@@ -1,4 +1,4 @@
-/** The recordings of this browser: that of the displayed world is still growing; the others are kept until space is needed. */
+/** This browser's recordings: the one of the displayed world is still growing; the others are kept until space is needed. */
 import { unpack } from '../replay/unpack.js';
 import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
@@ -38,7 +38,7 @@ export class PageRecordings {
     document.addEventListener('visibilitychange', () => document.hidden && this.#save(true));
   }
 
-  /** @param {Entry[]} entries entries of earlier visits */
+  /** @param {Entry[]} entries entries from earlier visits */
   async #begin(entries) {
     const earlier = Date.now() - HOUR_MILLISECONDS;
     for (const entry of entries) {
@@ -149,10 +149,10 @@ export class PageRecordings {
   }
 
   /**
-   * Asks the replay service.
+   * Sends a request to the replay service.
    *
    * @param {import('./page-server.js').ServiceRequest} request
-   * @returns {Promise<string>} JSON, or why the request was refused
+   * @returns {Promise<string>} JSON, or why the request was rejected
    */
   async answer(request) {
     await this.#work;
@@ -168,7 +168,7 @@ export class PageRecordings {
     return result;
   }
 
-  /** Passes the bytes of a recording that the replay service has not read yet. @param {string} name */
+  /** Passes to the replay service those bytes of a recording that it has not read yet. @param {string} name */
   async #passBytes(name) {
     const content = await this.open(name);
     const id = String(this.#find(name).id);
@@ -178,7 +178,7 @@ export class PageRecordings {
     } while (content.read < content.length);
   }
 
-  /** Stores a change from the replay service. @param {string} text id of the recording and changed metadata, a JSON object */
+  /** Stores a change from the replay service. @param {string} text id of the recording and changed metadata as a JSON object */
   keep(text) {
     const { id, ...change } = JSON.parse(text);
     const entry = this.#entries.get(id);
@@ -234,7 +234,7 @@ export class PageRecordings {
    *
    * @param {string} name
    * @param {Uint8Array} packed
-   * @returns {Promise<string>} its name here
+   * @returns {Promise<string>} its name in this browser
    * @throws {Error} if it is not a recording; the message is meant for the user
    */
   async take(name, packed) {

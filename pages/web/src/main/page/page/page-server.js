@@ -1,4 +1,4 @@
-/** Answers the studio's requests for files, scenes and exercises locally, because this page has no server. */
+/** Handles the studio's requests for files, scenes and exercises locally, because this page has no server. */
 
 const NOT_HERE = 'This is not available on this page. Use RoboNewbie on your computer.';
 
@@ -29,10 +29,10 @@ export function requestOf(place, { method = 'GET' }) {
   };
 }
 
-/** @param {string} result JSON, or why a service refused the request */
+/** @param {string} result JSON, or why a service rejected the request */
 export const isAnswer = (result) => /^["{]/.test(result);
 
-/** @param {string} result JSON, or why a service refused the request @returns {Response} */
+/** @param {string} result JSON, or why a service rejected the request @returns {Response} */
 export function responseOf(result) {
   if (!isAnswer(result)) {
     throw new Error(result);

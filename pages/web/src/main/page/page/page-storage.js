@@ -1,6 +1,6 @@
 /**
- * Texts in the browser's local storage. All pages of an origin share one storage; each folder uses its own key prefix,
- * so that two editions of RoboNewbie on one host do not share programs.
+ * Strings in the browser's local storage. All pages of an origin share one storage; each folder uses its own key prefix, so that two
+ * editions of RoboNewbie on one host do not share programs.
  */
 
 /** Keys written before each folder had its own prefix. */
@@ -11,7 +11,7 @@ export const NO_ROOM =
   'This browser has no space left for this page: nothing was saved, and the text exists only here. ' +
   'Press Download, or copy the text into a file; then delete scenes that you do not need.';
 
-/** In-memory storage for browsers that deny local storage. */
+/** In-memory storage for browsers that deny access to local storage. */
 class OpenPage {
   #texts = new Map();
 
@@ -90,8 +90,8 @@ export class PageStorage {
   }
 
   /**
-   * Copies, only once, the data stored before prefixes were introduced. Keeps the original if possible, because another edition may need
-   * it.
+   * Copies the data stored before prefixes were introduced, unless this has already been done. Keeps the original if possible, because
+   * another edition may need it.
    */
   #migrate() {
     if (this.get(MIGRATED) !== null) {
@@ -103,7 +103,7 @@ export class PageStorage {
       }
       this.set(MIGRATED, 'yes');
     } catch {
-      // The storage is full; the next visit tries again.
+      // The storage is full; retried on the next visit.
     }
   }
 

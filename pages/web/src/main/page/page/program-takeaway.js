@@ -1,4 +1,6 @@
-/** Two buttons below the editor: one downloads all programs as a zipped project, the other shows a link that contains the open program. */
+/**
+ * Two buttons below the editor: one downloads all programs as a zipped project, and the other shows a link that contains the open program.
+ */
 import { button, byId, offer } from '../panels/elements.js';
 import { project } from './project.js';
 import { linkOf } from './share.js';

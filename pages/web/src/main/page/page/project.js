@@ -1,10 +1,10 @@
-/** Exports all programs of this browser as a project like that of `robonewbie new`, to build and run without this page. */
+/** Exports all programs of this browser as a project like that of `robonewbie new`, which can be built and run without this page. */
 
 /**
  * @typedef {object} Template project template, created by `robonewbie new` when this page was built
  * @property {string} name
  * @property {string} package
- * @property {Record<string, string>} texts texts by path
+ * @property {Record<string, string>} texts text of each file by path
  * @property {string[]} libraries paths of binary files
  */
 
@@ -26,7 +26,7 @@ export function publicClass(text, path) {
 }
 
 /**
- * @param {Map<string, string>} files texts by path
+ * @param {Map<string, string>} files text of each file by path
  * @param {string} path path of a program
  * @returns {Map<string, string>} the program and the Java files that it uses, directly or indirectly
  */
@@ -53,9 +53,8 @@ export function inPackage(text, name) {
 
 /**
  * Assigns files to programs. Programs whose class names differ at most in case get separate packages.
- *
- * @param {Map<string, string>} programs texts by path
- * @returns {Map<string, [inside: string, name: string]>} subpackage and class, by path
+ * @param {Map<string, string>} programs text of each program by path @returns {Map<string, [inside: string, name: string]>} subpackage and
+ *     class, by path
  */
 function classFiles(programs) {
   const taken = new Set();
@@ -78,9 +77,9 @@ function classFiles(programs) {
  * Adds programs to a project template.
  *
  * @param {Template} template
- * @param {Map<string, string>} programs texts by path
- * @param {string} shown path of the program that the project runs by default
- * @returns {Map<string, string>} texts by path
+ * @param {Map<string, string>} programs text of each program by path @param {string} shown path of the program that the project runs by
+ *     default
+ * @returns {Map<string, string>} text of each file by path
  */
 export function filled(template, programs, shown) {
   const folder = `${JAVA}${template.package.replaceAll('.', '/')}/`;
@@ -105,9 +104,7 @@ export function filled(template, programs, shown) {
 
 /**
  * Loads the template and adds the programs.
- *
- * @param {Map<string, string>} programs texts by path
- * @param {string} shown path of the program in the editor
+ * @param {Map<string, string>} programs text of each program by path @param {string} shown path of the program in the editor
  * @returns {Promise<{name: string, files: Map<string, string | Uint8Array>}>}
  */
 export async function project(programs, shown) {

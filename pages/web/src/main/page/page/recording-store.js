@@ -1,5 +1,6 @@
 /**
- * Persistent store of recordings in the browser's IndexedDB. It stays empty if the browser stores nothing, for example in a private window.
+ * Persistent store of recordings in the browser's IndexedDB. It stays empty if the browser does not store data, for example in a private
+ * window.
  *
  * @typedef {object} Entry metadata of a recording
  * @property {number} id start time in milliseconds; unique
@@ -13,8 +14,8 @@
  *
  * @typedef {object} Piece the next part of a recording
  * @property {Uint8Array} bytes
- * @property {boolean} isPacked whether they are gzip-compressed
- * @property {string} notes logs and drawings of the robots during this part
+ * @property {boolean} isPacked whether the bytes are gzip-compressed
+ * @property {string} notes the robots' logs and drawings from this part
  */
 import { ended, openDatabase, result } from './database.js';
 import { folderOfPage, storage } from './page-storage.js';
@@ -39,14 +40,14 @@ const openRecordings = (name) =>
 async function open() {
   const database = await openRecordings(`${COMMON} ${folderOfPage()}`);
   if (storage().get(MIGRATED) === null) {
-    await migrateCommon(database).catch(() => {}); // if the storage is full, the next visit tries again
+    await migrateCommon(database).catch(() => {}); // if the storage is full, this is retried on the next visit
   }
   return database;
 }
 
 /**
- * Copies, only once, the recordings from the database that all editions on the host used to share. The originals are kept, because another
- * edition on the host may need them too.
+ * Copies the recordings from the database that all editions on the host used to share. The originals are kept, because another edition may
+ * need them too.
  *
  * @param {IDBDatabase} database
  */

@@ -1,4 +1,4 @@
-/** Two buttons in the replay room: one downloads a recording as a file, the other imports such files. */
+/** Two buttons in the replay room: one downloads a recording as a file, and the other imports such files. */
 import { button, byId, element, offer } from '../panels/elements.js';
 
 /** @param {() => any} studio @param {import('./page-recordings.js').PageRecordings} recordings */

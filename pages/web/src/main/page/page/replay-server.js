@@ -1,4 +1,7 @@
-/** Local replacement for the recording server: asks the replay service in the world's worker, and loads bytes from this browser. */
+/**
+ * Local replacement for the recording server: forwards requests to the replay service in the world's worker, and loads bytes from this
+ * browser's storage.
+ */
 import { requestOf, responseOf } from './page-server.js';
 import { simSparkLog } from './recording-log.js';
 

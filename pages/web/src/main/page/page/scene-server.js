@@ -1,5 +1,5 @@
 /**
- * Local replacement for the scene server and the button *Start here*. The program in the worker reads and writes scenes; this browser
+ * Local replacement for the scene server and the button *Start here*. The program in the worker parses and writes scenes; this browser
  * stores them.
  */
 import { BrowserRepository } from './browser-repository.js';
@@ -31,7 +31,7 @@ export class SceneServer {
   /**
    * Stores a change from the scene service.
    *
-   * @param {string} change name and text of a scene, a JSON object; without a text, the scene is removed
+   * @param {string} change name and text of a scene as a JSON object; without text, the scene is removed
    */
   keep(change) {
     const { name, text } = JSON.parse(change);

@@ -1,4 +1,4 @@
-/** Submissions as links and files, for school classes without accounts; the Java class HandIn describes their contents. */
+/** Submissions as links and files, for school classes without accounts. For the contents, see the Java class HandIn. */
 import { decodeText } from '../state/decoded-text.js';
 import { compress, decompress, fromBase64Url, MAX_BYTES, toBase64Url, TooLarge } from './packed-text.js';
 
@@ -7,7 +7,7 @@ import { compress, decompress, fromBase64Url, MAX_BYTES, toBase64Url, TooLarge }
 export const ENDING = '.robonewbie';
 const MARK = 'submission=';
 const FORMAT = 'gzip';
-/** Maximum length of a link; mail programs break or cut longer ones. */
+/** Maximum length of a link; mail programs break or truncate longer ones. */
 const MAX_LINK = 2000;
 const LINK = new RegExp(`${MARK}([\\w%=-]*)`, 'g');
 
@@ -37,11 +37,11 @@ async function received(source, bytes) {
 }
 
 /**
- * Reads all links in a text, for example one link per line.
+ * Reads all links in a string, for example one link per line.
  *
  * @param {string} text
- * @param {string} name name of the text
- * @returns {Promise<Received[]>} their sources include line numbers if the text has several lines
+ * @param {string} name name of the source
+ * @returns {Promise<Received[]>} the submissions; their sources include line numbers if the text has several lines
  */
 export async function readLinks(text, name) {
   const lines = text.split(/\r\n?|\n/);
@@ -53,7 +53,7 @@ export async function readLinks(text, name) {
   return Promise.all(found);
 }
 
-/** @param {File} file a submission, or a text with links @returns {Promise<Received[]>} */
+/** @param {File} file a submission, or a text file with links @returns {Promise<Received[]>} */
 export async function readFile(file) {
   const { name, size } = file;
   if (!name.endsWith(ENDING)) {

@@ -51,7 +51,7 @@ export class WorldConnection {
     this.worker.postMessage({ begin: { agents, seed: SEED } });
   }
 
-  /** @param {any} data a text message, a state frame, or a status of the worker */
+  /** @param {any} data a text message, a state frame, or a status message from the worker */
   #receive(data) {
     if (typeof data === 'string') {
       this.listener.messageArrived(JSON.parse(data));

@@ -1,4 +1,4 @@
-/** The worker that runs the world of this page; it starts loading as soon as this script is evaluated. */
+/** The worker that runs this page's world; it starts loading as soon as this script is evaluated. */
 import { isBrowserNewEnough } from './old-browser.js';
 
 /** Actions that need the larger of the two worker programs, the one that executes user code. */

@@ -19,7 +19,7 @@ export class WorldQuestions {
   /**
    * @param {string} request request that starts an exercise
    * @param {Int8Array[]} classes classes of the program
-   * @returns {Promise<string>} its answer
+   * @returns {Promise<string>} its result
    */
   begin(request, classes) {
     return this.#send('exercise', { request, classes });
@@ -42,7 +42,7 @@ export class WorldQuestions {
     this.#waiting.delete(id);
   }
 
-  /** Sends the unanswered requests again, to the new worker. */
+  /** Resends the unanswered requests to the new worker. */
   #repeatRequests() {
     for (const { message } of this.#waiting.values()) {
       this.world.postMessage(message);

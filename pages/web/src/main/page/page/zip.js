@@ -34,7 +34,7 @@ function header(...fields) {
   return Uint8Array.from(bytes);
 }
 
-/** @param {Map<string, string | Uint8Array>} files texts or bytes by path @returns {Blob} */
+/** @param {Map<string, string | Uint8Array>} files text or bytes of each file by path @returns {Blob} */
 export function zip(files) {
   const parts = [];
   const directory = [];

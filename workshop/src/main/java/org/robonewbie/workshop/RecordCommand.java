@@ -14,7 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Records robots and balls on a running server for {@code bench fidelity} to replay. */
+/** Records robots and balls on a running server for replay with {@code bench fidelity}. */
 @Command(
         name = "record",
         description = {

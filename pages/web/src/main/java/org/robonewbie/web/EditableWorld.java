@@ -10,15 +10,15 @@ import org.robonewbie.simulator.state.WorldState;
 /** A world that the user may change freely: states can be restored, and manually controlled robots (puppets) can join. */
 interface EditableWorld extends SteppedWorld, PuppetProvider {
 
-    /** {@return the bit-exact state; empty while a robot's answer is pending} */
+    /** {@return the bit-exact state; empty while a robot's reply is pending} */
     Optional<WorldState> save();
 
     /**
      * Restores a saved state.
      *
      * @param state the state
-     * @return number of agents that have restored their own states; empty if the state belongs to another world or a
-     *     robot's answer is pending
+     * @return number of agents that have restored their own states; empty if the state belongs to another world or a robot's reply is
+     *     pending
      */
     OptionalInt restore(WorldState state);
 

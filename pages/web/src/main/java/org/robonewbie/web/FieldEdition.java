@@ -5,8 +5,8 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call: they run example agents, try motions and answer requests. Each exported method becomes a function
- * of the WebAssembly module; in the module of {@link WebEdition}, it is a static method of this class.
+ * Functions that the page's scripts call: they run example agents, try out motions and handle requests. Each exported method becomes a
+ * function of the WebAssembly module; in the module of {@link WebEdition}, it is a static method of this class.
  */
 public final class FieldEdition {
 
@@ -63,7 +63,7 @@ public final class FieldEdition {
      *
      * @param text contents of the motion file
      * @param start initial posture
-     * @return the result as a JSON object, or a sentence if the motion is refused
+     * @return the result as a JSON object, or a sentence if the motion is rejected
      */
     @JSExport
     public static String motionTrial(String text, String start) {
@@ -77,11 +77,11 @@ public final class FieldEdition {
     }
 
     /**
-     * Answers a request to a service.
+     * Handles a request to a service.
      *
      * @param service {@code course}, {@code scenes} or {@code recordings}
-     * @param request one JSON object with the request and what the browser has stored
-     * @return JSON, or a sentence if the request is refused
+     * @param request one JSON object with the request and the browser's stored data
+     * @return JSON, or a sentence if the request is rejected
      */
     @JSExport
     public static String answer(String service, String request) {
@@ -106,7 +106,7 @@ public final class FieldEdition {
      *
      * @param recording the uncompressed bytes of the recording
      * @param moment zero-based index of the cycle
-     * @return one JSON object, or a sentence if the request is refused
+     * @return one JSON object, or a sentence if the request is rejected
      */
     @JSExport
     public static String startFrom(Int8Array recording, int moment) {

@@ -24,7 +24,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** The beginners' world with free play: example agents, manually controlled robots (puppets) and one student's program. */
+/** Free play in the beginners' world: example agents, manually controlled robots (puppets) and one student's program. */
 final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
@@ -32,7 +32,7 @@ final class FreePitch implements EditableWorld {
     private static final double COLUMN_METRES = -2.5;
     private static final double ROW_METRES = 1.5;
 
-    /** Maximum number of cycles to wait until a robot has left, or has joined and stands still. */
+    /** Maximum number of cycles to wait until a robot has left, or has joined and is standing still. */
     private static final int MAX_CYCLES = 100;
 
     private final SteppedSimulator simulator;
@@ -54,7 +54,7 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Adds an agent; every second robot plays for the opponents.
+     * Adds an agent; every second robot joins the opposing team.
      *
      * @param agent the agent
      * @return this pitch
@@ -73,7 +73,7 @@ final class FreePitch implements EditableWorld {
         return this;
     }
 
-    /** Returns a robot's options. The first robot of each team starts at the pose that its program requests, the others behind it. */
+    /** Returns a robot's options. The first robot of each team starts at the pose that its program requests; the others start behind it. */
     private static Options asNumber(int before, Options usual) {
         Options own = usual.withSeconds(StudentProgram.FOREVER_SECONDS);
         Options ofTeam = before % TEAMS == 0 ? own : own.withTeam(GUESTS).withNumber(0);
@@ -108,7 +108,7 @@ final class FreePitch implements EditableWorld {
      * @param run tracks the state of the new program
      */
     void swap(StudentRun old, Program program, StudentRun run) {
-        simulator.isReady(); // reads the robots' answers, which belong to the saved state
+        simulator.isReady(); // reads the robots' responses, which belong to the saved state
         WorldState moment = simulator.save();
         List<String> seats = seats();
         old.stop();
@@ -187,7 +187,7 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * A participant that acts once per cycle. If its action advances the world by further cycles, it does not act in these.
+     * A participant that acts once per cycle. If its action advances the world by further cycles, it does not act in them.
      */
     private static final class Player {
 

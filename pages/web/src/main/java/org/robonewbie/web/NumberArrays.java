@@ -9,7 +9,7 @@ import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.team.tactics.Assignment;
 
 /**
- * Calls methods that take arrays of primitives directly, because the compiled module cannot call them by reflection.
+ * Directly calls methods that take primitive arrays, because the compiled module cannot call them by reflection.
  */
 final class NumberArrays {
 

@@ -21,14 +21,14 @@ import org.teavm.jso.typedarrays.Int8Array;
 /** The displayed world and its commands. */
 final class PageContext {
 
-    /** The page that owns this worker. */
+    /** The page that started this worker. */
     static final PageFeed.Page PAGE = new Page();
 
     private static final PageScenes SCENES = new PageScenes();
     private static final PageRecordings STORED = new PageRecordings();
     private static final String NOT_STARTED = "The simulation has not started yet.";
 
-    /** Recordings to send. The last one belongs to the displayed world; earlier ones have not been sent completely. */
+    /** Recordings to send. The last one belongs to the displayed world; earlier ones have not yet been sent completely. */
     private static final Deque<PageRecording> RECORDINGS = new ArrayDeque<>();
 
     private static final PageCourse COURSE = new PageCourse();
@@ -56,7 +56,7 @@ final class PageContext {
         begin(agents, seed, empty -> {});
     }
 
-    /** Shows a world with a first participant, then with example agents, given as class names separated by spaces. */
+    /** Shows a world with a first participant and example agents, which are given as class names separated by spaces. */
     static void begin(String agents, int seed, Consumer<FreePitch> first) {
         leave.run();
         COURSE.close();
@@ -120,7 +120,7 @@ final class PageContext {
         sendRecordings();
     }
 
-    /** Plays a motion on a robot with full physics; returns the result as JSON, or a sentence if the motion is refused. */
+    /** Plays a motion on a robot with full physics; returns the result as JSON, or a sentence if the motion is rejected. */
     static String motionTrial(String text, String start) {
         try {
             return PageMotions.trial(text, start);
@@ -129,7 +129,7 @@ final class PageContext {
         }
     }
 
-    /** Answers a request to a service; returns JSON, or a sentence if it is refused. */
+    /** Handles a request to a service; returns JSON, or a sentence if the request is rejected. */
     static String answer(String service, String text) {
         ServiceRequest request = ServiceRequest.parse(text);
         return switch (service) {
@@ -144,7 +144,7 @@ final class PageContext {
         return STORED;
     }
 
-    /** Continues the simulation from a cycle of a recording; returns a JSON object, or a sentence if the request is refused. */
+    /** Continues the simulation from a cycle of a recording; returns a JSON object, or a sentence if the request is rejected. */
     static String startFrom(byte[] recorded, int moment) {
         PacedWorld shown = world;
         return shown == null

@@ -19,7 +19,7 @@ import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.simulator.json.Json;
 
 /**
- * Exercises in the page. Each request contains what the browser has stored: language, progress, names of programs, and the requested
+ * Exercises in the page. Each request contains the browser's stored data: language, progress, names of programs, and the requested
  * solution. The page receives changes as messages and stores them.
  */
 final class PageCourse implements CourseHost, ProgressStore {
@@ -52,7 +52,7 @@ final class PageCourse implements CourseHost, ProgressStore {
         return false;
     }
 
-    /** Answers a request; returns JSON, or a sentence if the request is refused. */
+    /** Handles a request; returns JSON, or a sentence if the request is rejected. */
     String answer(ServiceRequest asked) {
         request = asked;
         JsonObject json = request.json();
@@ -63,7 +63,7 @@ final class PageCourse implements CourseHost, ProgressStore {
         });
     }
 
-    /** Ends the current attempt, because another program has taken over the world. */
+    /** Ends the current attempt. Called when another program takes over the world. */
     void close() {
         service.close();
     }

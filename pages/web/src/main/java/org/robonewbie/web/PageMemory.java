@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * State of the classes that replace library and framework classes in the page. The replacements cannot hold it themselves,
- * because TeaVM compiles a copy of each under the name of the replaced class, with separate static fields.
+ * State of the classes that replace library and framework classes in the page. The replacements cannot hold this state themselves, because
+ * TeaVM compiles a copy of each under the name of the replaced class, with separate static fields.
  */
 public final class PageMemory {
 

@@ -16,7 +16,7 @@ final class PagePuppet extends SteeredRobot {
     private Runnable onClosed = () -> {};
 
     /**
-     * Lets the robot join, and advances the world until the robot stands.
+     * Lets the robot join, and advances the world until the robot is standing.
      *
      * @param link the robot's end of the connection
      * @param options identity of the robot
@@ -45,7 +45,7 @@ final class PagePuppet extends SteeredRobot {
         onClosed = newListener;
     }
 
-    /** Answers the pending message, if any. */
+    /** Responds to the pending message, if any. */
     void turn() {
         if (link.isMessageWaiting() && driver.nao().sense()) {
             move(driver.nao());

@@ -28,16 +28,16 @@ final class PageRecording implements RecordingTarget {
 
     @Override
     public void flush() {
-        // Data are sent by sendTo.
+        // Data is sent by sendTo.
     }
 
     @Override
     public void close() {
-        // Data are sent by sendTo.
+        // Data is sent by sendTo.
     }
 
     /**
-     * Sends the bytes that were recorded since the last call, if any.
+     * Sends the bytes recorded since the last call, if any.
      *
      * @param page the receiver
      */

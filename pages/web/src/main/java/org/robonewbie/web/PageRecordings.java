@@ -15,8 +15,8 @@ import org.robonewbie.studio.replay.RunReading;
 import org.robonewbie.studio.replay.RunWatch;
 
 /**
- * Recordings in the page. Each request contains the metadata of the recordings that the browser has stored, and their bytes
- * are passed before they are needed. The page receives changes of the metadata as messages and stores them.
+ * Recordings in the page. Each request contains the metadata of the recordings stored by the browser; the bytes of a recording are passed
+ * in advance. The page receives changes to the metadata as messages and stores them.
  */
 final class PageRecordings implements RecordingStore {
 
@@ -26,7 +26,7 @@ final class PageRecordings implements RecordingStore {
     private final Map<String, Reader> readers = new HashMap<>();
     private List<JsonObject> stored = List.of();
 
-    /** Answers a request; returns JSON, or a sentence if the request is refused. */
+    /** Handles a request; returns JSON, or a sentence if the request is rejected. */
     String answer(ServiceRequest request) {
         stored =
                 request.elements("recordings").map(JsonElement::getAsJsonObject).toList();
@@ -116,7 +116,7 @@ final class PageRecordings implements RecordingStore {
         return change(find(name, true), Json.object(REMOVED_AT, 0));
     }
 
-    /** Posts a change of a recording's metadata, if the recording is stored. */
+    /** Posts a change to a recording's metadata, if the recording is stored. */
     private static boolean change(Optional<JsonObject> entry, JsonObject change) {
         entry.ifPresent(stored -> {
             change.add("id", stored.get("id"));

@@ -10,15 +10,15 @@ import org.robonewbie.studio.scene.SavedScene;
 import org.robonewbie.studio.scene.SceneStore;
 
 /**
- * Scenes in the page. Each request contains the names of the scenes that the browser has stored, and the texts of those that it refers to.
+ * Scenes in the page. Each request contains the names of the scenes stored by the browser, and the contents of those to which it refers.
  * The page receives changes as messages and stores them.
  */
 final class PageScenes implements SceneStore {
 
-    /** Texts of the scenes by name, with one character per byte; empty if the text has not been needed yet. */
+    /** Contents of the scenes by name, with one character per byte; empty until they are needed. */
     private final TreeMap<String, String> scenes = new TreeMap<>();
 
-    /** Answers a request; returns JSON, or a sentence if the request is refused. */
+    /** Handles a request; returns JSON, or a sentence if the request is rejected. */
     String answer(ServiceRequest request, PageFeed feed) {
         JsonObject stored = request.json().getAsJsonObject("scenes");
         scenes.keySet().retainAll(stored.keySet());

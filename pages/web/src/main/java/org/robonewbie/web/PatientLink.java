@@ -7,8 +7,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Link between a robot and the simulator. While the robot joins, the link advances the world until a message arrives; afterwards, it is
- * non-blocking.
+ * Link between a robot and the simulator. While the robot is joining, the link advances the world until a message arrives; afterwards, it
+ * is non-blocking.
  */
 final class PatientLink implements AgentLink {
 

@@ -12,7 +12,7 @@ import org.robonewbie.studio.service.PageService;
 /**
  * A request from the page's scripts to a service.
  *
- * @param json method, path and parameters of the request, and what the browser has stored
+ * @param json method, path and parameters of the request, and the browser's stored data
  */
 record ServiceRequest(JsonObject json) {
 
@@ -20,12 +20,12 @@ record ServiceRequest(JsonObject json) {
         return new ServiceRequest(JsonParser.parseString(text).getAsJsonObject());
     }
 
-    /** An action that may be refused. */
+    /** An action that may be rejected. */
     interface Action {
         String run() throws IOException;
     }
 
-    /** Returns the result of an action, or a sentence if it is refused. */
+    /** Returns the result of an action, or a sentence if it is rejected. */
     static String attempt(Action action) {
         try {
             return action.run();
@@ -34,7 +34,7 @@ record ServiceRequest(JsonObject json) {
         }
     }
 
-    /** Asks a service; returns JSON, or a sentence if the request is refused. */
+    /** Passes this request to a service; returns JSON, or a sentence if the request is rejected. */
     String answer(PageService service) {
         JsonObject parameters = json.getAsJsonObject("parameters");
         return attempt(() -> service.answer(

@@ -41,7 +41,7 @@ final class ShippedAgents {
 
     private ShippedAgents() {}
 
-    /** {@return the class names of the agents, the most impressive agent first} */
+    /** {@return the class names of the agents, most impressive first} */
     static List<String> names() {
         return List.copyOf(MAKERS.keySet());
     }

@@ -35,7 +35,7 @@ interface SteppedWorld {
     void order(Order order);
 
     /**
-     * Returns the messages that agents and simulator exchanged in the last cycle.
+     * Returns the messages exchanged between the agents and the simulator in the last cycle.
      *
      * @param robots selects the robots
      * @return the messages

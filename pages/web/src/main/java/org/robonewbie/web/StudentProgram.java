@@ -24,7 +24,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * A student's program in a world that is advanced elsewhere. Calls that would wait for a simulator suspend the program until the next
- * message: an agent's {@code run}, and {@code sense} and {@code perform} of a {@code Nao}.
+ * message. These are {@code run} of an agent, and {@code sense} and {@code perform} of a {@code Nao}.
  */
 final class StudentProgram {
 
@@ -45,8 +45,8 @@ final class StudentProgram {
      *
      * @param program the program's classes
      * @param output receives the program's output
-     * @param entrance opens a connection for a robot; runs the given action repeatedly while the robot joins
-     * @param nextCycle advances the world while a robot joins or the program waits inside compiled code
+     * @param entrance opens a connection for a robot; runs the given action repeatedly while the robot is joining
+     * @param nextCycle advances the world while a robot is joining or the program is waiting inside compiled code
      * @param viewer receives the robots' telemetry
      */
     StudentProgram(
@@ -95,7 +95,7 @@ final class StudentProgram {
         return own;
     }
 
-    /** Lets the robots that have already joined answer while another one joins. */
+    /** Lets the robots that have already joined respond while another one is joining. */
     private void turn() {
         nextCycle.run();
         drivers.forEach(AgentDriver::resume);

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import org.robonewbie.pagejvm.EndlessLoop;
 import org.robonewbie.pagejvm.ProgramEnd;
 
-/** State and output of a student's program, as shown beside the editor. */
+/** State and output of a student's program, as shown next to the editor. */
 final class StudentRun {
 
     /** The stages of a run; the program editor uses these names. */
@@ -70,8 +70,8 @@ final class StudentRun {
     }
 
     /**
-     * Returns whether a stack frame is the student's; in a page, frames of the compiled module have a placeholder for
-     * the class name.
+     * Returns whether a stack frame belongs to the student's program; in a page, frames of the compiled module have a placeholder for the
+     * class name.
      */
     private static boolean isOfProgram(StackTraceElement call) {
         return !call.getClassName().endsWith(NO_CLASS);

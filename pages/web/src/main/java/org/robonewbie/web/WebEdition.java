@@ -97,7 +97,7 @@ public final class WebEdition {
         return change((program, started) -> PageContext.begin(others, seed, pitch -> pitch.with(program, started)));
     }
 
-    /** {@return whether a student's program runs on the pitch and can be replaced} */
+    /** {@return whether a student's program is running on the pitch and can be replaced} */
     @JSExport
     public static boolean isProgramRunning() {
         return run != null && run.isRunning() && PageContext.pitch().isPresent();
@@ -134,11 +134,11 @@ public final class WebEdition {
     }
 
     /**
-     * Answers a request from the pages for school classes, which need no accounts.
+     * Handles a request from the pages for school classes, which need no accounts.
      *
      * @param action name of the request
      * @param request one JSON object
-     * @return JSON, or a sentence if the request is refused
+     * @return JSON, or a sentence if the request is rejected
      */
     @JSExport
     public static String classroom(String action, String request) {

@@ -20,8 +20,8 @@ import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
 /**
- * Runs jobs on the Spark cluster specified by the system property {@code spark.master}. Jobs are distributed in small
- * slices. If a worker fails, its slice is run again; the results of a slice are received as soon as it is finished.
+ * Runs jobs on the Spark cluster specified by the system property {@code spark.master}. Jobs are distributed in small slices. If a worker
+ * fails, its slice is run again; the results of a slice are received as soon as the slice is finished.
  */
 public final class SparkRunner implements BatchRunner {
 

@@ -14,12 +14,11 @@ import org.robonewbie.protocol.order.Order.SetTime;
 import org.robonewbie.simulator.world.BallProperties;
 
 /**
- * Sets the ball in motion with trainer commands and records it through the monitor port. An idle robot answers every
- * message, so that the server advances.
+ * Sets the ball in motion with trainer commands and records it through the monitor port. An idle robot replies to every message to keep the
+ * server advancing.
  *
- * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and
- * a case starts with the first message that shows it elsewhere, even a partial scene. Messages are assigned to cycles
- * by the game clock.
+ * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and a case starts with
+ * the first message that shows it elsewhere, even if the scene is partial. Messages are assigned to cycles by the game clock.
  */
 final class BallSession {
 
@@ -37,8 +36,7 @@ final class BallSession {
     }
 
     /**
-     * Records one case. Returns one line per cycle, with the ball's position if the monitor received a full scene in this
-     * cycle.
+     * Records one case. Returns one line per cycle, with the ball's position if the monitor received a full scene in that cycle.
      */
     List<String> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);

@@ -54,7 +54,7 @@ public final class FidelityBench {
      * @param directory directory of the recordings; files whose names do not end in .jsonl or .jsonl.gz are ignored
      * @param route transport for commands and measurements
      * @return the deviation from each recording
-     * @throws IOException if there is no recording or the directory cannot be read; the message names the cause
+     * @throws IOException if there is no recording or the directory cannot be read; the message states the cause
      */
     public static FidelityReport run(Path directory, AgentRoute route) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
@@ -76,7 +76,7 @@ public final class FidelityBench {
      *
      * @param file a file whose name ends in .jsonl or .jsonl.gz
      * @return the recording
-     * @throws IOException if it cannot be read; the message names the cause
+     * @throws IOException if it cannot be read; the message states the cause
      */
     public static Recording read(Path file) throws IOException {
         String name = String.valueOf(file.getFileName());

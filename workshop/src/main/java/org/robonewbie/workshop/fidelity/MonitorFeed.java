@@ -86,8 +86,8 @@ final class MonitorFeed implements AutoCloseable {
     }
 
     /**
-     * Waits until an idle server has repeated its message, so that a full interval remains until it does so again. Returns the
-     * number of messages so far.
+     * Waits until an idle server has repeated its message, so that a full interval remains until the next repetition. Returns the number of
+     * messages so far.
      */
     int awaitRepetition() {
         await(count() + 1, QUIET_NANOSECONDS);
@@ -107,7 +107,7 @@ final class MonitorFeed implements AutoCloseable {
         return count() >= messages;
     }
 
-    /** Requests a full scene as the next message; partial ones omit small movements. */
+    /** Requests a full scene as the next message, because partial scenes omit small movements. */
     void requestFullState() throws IOException {
         send(new Order.RequestFullState());
     }

@@ -34,10 +34,10 @@ final class RecordedCommands {
     }
 
     /**
-     * Parses one answer.
+     * Parses one reply.
      *
-     * @param sent text of the answer
-     * @param nextTorso torso pose in the next row, to which a server with noise has really beamed the robot
+     * @param sent text of the reply
+     * @param nextTorso torso pose in the next row, to which a server with noise has actually beamed the robot
      * @return hinge speeds and beams; other commands do not move a robot
      */
     List<EffectorCommand> read(String sent, Optional<BodyPose> nextTorso) {

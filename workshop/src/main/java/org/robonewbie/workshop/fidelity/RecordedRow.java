@@ -8,17 +8,17 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Output of a server after one cycle, rounded as printed, and the answer of the client.
+ * Output of a server after one cycle, rounded as printed, and the client's reply.
  *
  * @param seconds server time
- * @param jointDegrees joint angles, keyed by perceptor name; empty in a recording of a ball alone
+ * @param jointDegrees joint angles, keyed by perceptor name; empty in a recording of only a ball
  * @param acceleration accelerometer value in m/s²
  * @param gyro gyro value in degrees per second
  * @param footForces foot forces; empty if the file contains none
  * @param torso true pose
  * @param ball true position in metres
  * @param playMode SimSpark name of the play mode; empty if unknown
- * @param sent answer of the client, which takes effect one row later
+ * @param sent the client's reply, which takes effect one row later
  */
 public record RecordedRow(
         double seconds,

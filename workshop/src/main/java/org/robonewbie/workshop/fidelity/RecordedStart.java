@@ -83,8 +83,8 @@ final class RecordedStart {
     }
 
     /**
-     * Steps until the height and acceleration equal those in the first row. If the robot is at rest in that row,
-     * continues until it sleeps.
+     * Steps until the height and acceleration equal those in the first row. If the robot is at rest in that row, continues until the robot
+     * is asleep.
      */
     private void land(double height) throws IOException {
         Optional<Vector3> acceleration = rows.get(0).acceleration();

@@ -53,7 +53,7 @@ final class ReferenceReader {
      * @param fileName file name, which determines whether the contents are compressed
      * @param content contents of the file
      * @return the recording, with at least one run
-     * @throws IOException if it cannot be parsed or contains no positions; the message names the file
+     * @throws IOException if it cannot be parsed or contains no positions; the message contains the file name
      */
     static Recording read(String fileName, InputStream content) throws IOException {
         ReferenceReader reader = new ReferenceReader(fileName);

@@ -49,7 +49,7 @@ public final class ReferenceRecorder {
      *
      * @param scenarios scenarios to record
      * @param directory directory for one file per scenario; created if missing
-     * @throws IOException if the server does not answer as expected or a file cannot be written; the message suggests a fix
+     * @throws IOException if the server does not respond as expected or a file cannot be written; the message suggests a fix
      */
     public void record(List<ReferenceScenario> scenarios, Path directory) throws IOException {
         Files.createDirectories(directory);

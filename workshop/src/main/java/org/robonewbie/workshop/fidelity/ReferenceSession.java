@@ -21,9 +21,9 @@ import org.robonewbie.simulator.physics.BodyPose;
 /**
  * Session with one robot on a server in sync mode, which is also observed through the monitor port.
  *
- * <p>The server reads the answer to message N after step N + 1, so the answer takes effect in step N + 2. It is stored
- * in line N + 1 of the recording. While the server waits for the answer to message N, its latest monitor message is
- * that of step N + 1; this relates the two message streams.
+ * <p>The server reads the reply to message N after step N + 1, so the reply takes effect in step N + 2. It is stored in line N + 1 of the
+ * recording. While the server is waiting for the reply to message N, its latest monitor message is that of step N + 1; this relates the two
+ * message streams.
  */
 final class ReferenceSession implements AutoCloseable {
 

@@ -98,7 +98,7 @@ final class Replay {
         }
     }
 
-    /** Replays a ball. The referee is active: it puts the ball back before the kick-off and when it has left the pitch. */
+    /** Replays a ball. The referee is active: it puts the ball back before the kick-off and whenever the ball has left the pitch. */
     private void replayBall(RecordedRun run) throws IOException {
         SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
         Match match = new Match(world, SoccerParameters.league(), 0);

@@ -40,7 +40,7 @@ final class RowWriter {
      *
      * @param message the perceptor message
      * @param torso torso pose, if the monitor port has sent it
-     * @param sent the answer to the previous message
+     * @param sent the reply to the previous message
      */
     static String row(PerceptorMessage message, Optional<BodyPose> torso, String sent) {
         JsonObject row = new JsonObject();

@@ -25,8 +25,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
 
 /**
- * Plays each example over TCP on a simulator that runs in real time, and measures the processor time of its cycles and
- * the cycles that it misses.
+ * Plays each example over TCP on a simulator that runs in real time, and measures the processor time of its cycles and the number of missed
+ * cycles.
  */
 public final class ExampleLoad {
 
@@ -72,7 +72,7 @@ public final class ExampleLoad {
         results.forEach(result -> out.println(result.toRow()));
     }
 
-    /** {@return the examples whose cycle the framework runs, by name; {@code Agent_Wave} runs its own} */
+    /** {@return the examples whose cycle is run by the framework, by name; {@code Agent_Wave} runs its own cycle} */
     public static Map<String, Class<? extends Agent>> examples() {
         Map<String, Class<? extends Agent>> examples = new LinkedHashMap<>();
         ExampleCatalogue.classNames().forEach((name, className) -> {

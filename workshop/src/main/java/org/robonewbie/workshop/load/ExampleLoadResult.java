@@ -10,10 +10,10 @@ import java.util.Locale;
  * @param name name of the example
  * @param robots number of its robots
  * @param cycles number of measured cycles of all robots
- * @param usualMilliseconds median of the processor time from a message to its answer
+ * @param usualMilliseconds median of the processor time from a message to the reply
  * @param slowMilliseconds 99th percentile of this time
  * @param worstMilliseconds maximum of this time
- * @param missedCycles number of messages answered after the next one had arrived
+ * @param missedCycles number of messages whose reply was sent after the next message had arrived
  */
 record ExampleLoadResult(
         String name,

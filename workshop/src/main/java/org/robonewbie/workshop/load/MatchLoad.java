@@ -23,8 +23,8 @@ import org.robonewbie.simulator.server.WarmUp;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Plays complete league matches with many agents over TCP on one server, and measures the cost. Agents and server share
- * this process.
+ * Plays complete league matches with many agents over TCP on one server, and measures the cost. The agents and the server share this
+ * process.
  *
  * <pre>{@code
  * LoadSettings settings = new LoadSettings(22, 600, 1, true);
@@ -109,8 +109,8 @@ public final class MatchLoad {
     }
 
     /**
-     * Waits for the end of a match. Relies on the number of matches that the player has seen end, because a short match
-     * may start and end between two polls.
+     * Waits for the end of a match. Relies on the player's count of finished matches, because a short match may start and end between two
+     * polls.
      */
     private void awaitEnd(LoadPlayer player, Course course, int match) {
         double[] reported = {0};
@@ -184,7 +184,7 @@ public final class MatchLoad {
             beganProcess = processSeconds();
         }
 
-        /** Ends the measurement. The heap is measured last, because that requires waiting for the next kick-off. */
+        /** Ends the measurement. The heap is measured last, because this measurement waits for the next kick-off. */
         MatchLoadResult result(int match, DoubleSupplier heapMegabytes) {
             long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
             double server = simulator.processorSeconds() - beganServer;

@@ -14,7 +14,7 @@ import java.util.Locale;
  * @param usualJitterMilliseconds 99th percentile of the jitter: how far the interval between two messages to an agent
  *     deviates from 20 ms
  * @param worstJitterMilliseconds maximum jitter
- * @param heapMegabytes memory in use after a garbage collection, while the robots stand for the next kick-off
+ * @param heapMegabytes memory in use after a garbage collection, while the robots are waiting for the next kick-off
  */
 public record MatchLoadResult(
         int match,

@@ -8,8 +8,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Connection that measures its agent: the processor time between receiving a message and answering it, and the missed
- * cycles, in which the next message arrived before the answer.
+ * Connection that measures its agent: the processor time between receiving a message and replying to it, and the missed cycles, in which
+ * the next message arrived before the reply.
  */
 final class ThinkTimes implements AgentLink {
 

@@ -42,7 +42,7 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.inStance(type, WalkStyle.STANDARD, seed, 2));
     }
 
-    /** Returns an environment with an agent on a full simulator. */
+    /** Returns an environment with an agent in a full simulator. */
     static CheckStart server(RobotType type) {
         Scene scene = Scene.of(MotionTrial.ROBOT.withType(type).after("stand")).withBall(MotionTrial.BALL_ASIDE);
         return new CheckStart(
@@ -51,12 +51,12 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.served(scene, seed, new ScriptedAgent(WalkStyle.STANDARD)));
     }
 
-    /** Returns an environment with an agent on a full simulator with the league pitch, for long walks. */
+    /** Returns an environment with an agent in a full simulator with the league pitch, for long walks. */
     static CheckStart onLeaguePitch(RobotType type, WalkStyle style) {
         return onLeaguePitch("", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(style));
     }
 
-    /** Returns an environment with an agent on a full simulator with the league pitch, for long kicks. */
+    /** Returns an environment with an agent in a full simulator with the league pitch, for long kicks. */
     static CheckStart serverOnLeaguePitch(RobotType type) {
         return onLeaguePitch(", on the server", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(WalkStyle.STANDARD));
     }

@@ -21,9 +21,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Errors of self-localisation while a robot walks on the league pitch for a minute, with noise, and is pushed over twice. Falls
- * and get-ups count; the first three seconds, in which the robot looks around, do not. All errors are sorted in ascending
- * order, one per cycle.
+ * Errors of self-localisation while a robot walks on the league pitch for a minute, with noise, and is pushed over twice. Falls and get-ups
+ * are included; the first three seconds, in which the robot looks around, are not. All errors are sorted in ascending order, one per cycle.
  *
  * @param metres position errors in metres
  * @param degrees heading errors in degrees

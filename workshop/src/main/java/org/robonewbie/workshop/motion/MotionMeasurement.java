@@ -35,7 +35,7 @@ public final class MotionMeasurement {
      * @param seeds number of trials per motion, at least 1
      * @param firstSeed seed of the first trial of each motion
      * @param part substring of the names of the motions to measure; empty for all
-     * @param type robot type; for types other than 0, walks and falls are measured only on a full simulator
+     * @param type robot type; for types other than 0, walks and falls are measured only in a full simulator
      * @param out destination of the table
      */
     public MotionMeasurement(int seeds, long firstSeed, String part, RobotType type, PrintStream out) {

@@ -8,7 +8,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of the learned runs: on a full simulator with noise, an agent uses its own sensors to keep to a line. */
+/** Checks of the learned runs: in a full simulator with noise, an agent uses its own sensors to keep to a line. */
 final class RunChecks {
 
     private static final double LONG_WAY = 20;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
-/** Repeats the most important checks with an agent on a full simulator instead of a world without a server. */
+/** Repeats the most important checks with an agent in a full simulator instead of a world without a server. */
 final class ServerChecks {
 
     private ServerChecks() {}

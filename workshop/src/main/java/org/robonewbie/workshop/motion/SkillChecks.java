@@ -14,7 +14,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Checks of a player on the league pitch: on a full simulator with noise, an agent walks long distances and to target
+ * Checks of a player on the league pitch: in a full simulator with noise, an agent walks long distances and to target
  * poses.
  */
 final class SkillChecks {

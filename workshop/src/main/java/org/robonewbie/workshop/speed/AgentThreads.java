@@ -6,7 +6,7 @@ import java.util.List;
 import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.server.ThreadCrew;
 
-/** Runs the agents on several threads between two cycles. Their answers do not depend on the number of threads. */
+/** Runs the agents on several threads between two cycles. Their replies do not depend on the number of threads. */
 final class AgentThreads implements AutoCloseable {
 
     private final ThreadCrew crew;
@@ -21,8 +21,8 @@ final class AgentThreads implements AutoCloseable {
     }
 
     /**
-     * Runs one cycle of each agent. Uses only one thread while any message is missing, because an agent that waits for
-     * its message advances the world.
+     * Runs one cycle of each agent. Uses only one thread while any message is missing, because an agent that is waiting for its message
+     * advances the world.
      */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
         Crew all = crew.helpers().isEmpty() || haveAllMessages(agents) ? crew : Crew.ALONE;

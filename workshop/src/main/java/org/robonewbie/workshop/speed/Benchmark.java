@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Cycle;
 
 /**
- * Measures the speed of a server with agents that answer every message.
+ * Measures the speed of a server with agents that reply to every message.
  *
  * <p>The embedded server and its agents take turns on the same threads, so no waiting time is measured. The server's
  * processor time excludes that of the agents.

@@ -44,7 +44,7 @@ final class BenchmarkAgent {
         link.send(message);
     }
 
-    /** Waits for a message and answers it; the second answer joins the team. */
+    /** Waits for a message and replies to it; the second reply joins the team. */
     void join() throws IOException {
         inTeam |= receive().gameState().flatMap(GameState::side).isPresent();
         messages++;
@@ -62,7 +62,7 @@ final class BenchmarkAgent {
         return inTeam;
     }
 
-    /** Returns the number of messages answered before the game starts. */
+    /** Returns the number of messages handled before the start of the game. */
     int messages() {
         return messages;
     }
@@ -71,7 +71,7 @@ final class BenchmarkAgent {
         return link.isMessageWaiting();
     }
 
-    /** Waits for the message of a cycle and answers it. */
+    /** Waits for the message of a cycle and replies to it. */
     void act(CrowdScene scene, int cycle) throws IOException {
         PerceptorMessage percepts = receive();
         message.clear();

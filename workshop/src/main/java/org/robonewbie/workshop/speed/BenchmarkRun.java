@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  * @param robots number of robots
  * @param scene what the robots did
  * @param threads number of threads of the embedded server and the agents; 0 for a server in another process
- * @param realTimeFactor simulated seconds per real second, agents included
+ * @param realTimeFactor simulated seconds per real second, including the agents
  * @param cpuMillisPerCycle processor time of the server alone per cycle in milliseconds; empty if unknown
  * @param allocatedBytesPerCycle memory that the server allocates per cycle; empty if unknown
  * @param cycles number of measured cycles of 20 ms

@@ -8,10 +8,10 @@ import org.robonewbie.nao.Vector3;
 /** Server under test: the embedded one, or any other in sync mode. */
 interface BenchmarkServer extends AutoCloseable {
 
-    /** Connects robots and waits until all have joined their teams and answered their last message. */
+    /** Connects robots and waits until all have joined their teams and replied to the last message. */
     List<BenchmarkAgent> gather(int robots) throws IOException;
 
-    /** Runs a cycle once all agents have answered. */
+    /** Runs a cycle once all agents have replied. */
     void cycle();
 
     /** Places a robot upright. */

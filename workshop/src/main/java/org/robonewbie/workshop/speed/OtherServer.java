@@ -18,12 +18,12 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 /**
  * Server in another process, such as rcssserver3d in sync mode. Robots are placed through its trainer port.
  *
- * <p>Such a server accepts connections only between two cycles. Robots therefore join one after the other while the earlier
- * ones keep answering. Admission failures and stalls are reported as exceptions.
+ * <p>Such a server accepts connections only between two cycles. Robots therefore join one after the other while the earlier ones keep
+ * replying. Admission failures and stalls are reported as exceptions.
  */
 final class OtherServer implements BenchmarkServer {
 
-    /** Number of messages after which a robot without a team counts as refused. */
+    /** Number of messages after which a robot without a team counts as rejected. */
     private static final int MESSAGES_TO_JOIN = 50;
 
     /** Maximum number of cycles until the first message to a new robot. */
@@ -54,7 +54,7 @@ final class OtherServer implements BenchmarkServer {
         return agents;
     }
 
-    /** Answers all messages until the last robot has joined its team. */
+    /** Replies to all messages until the last robot has joined its team. */
     private void admit(BenchmarkAgent last, List<BenchmarkAgent> all) throws IOException {
         int cycles = 0;
         while (!last.isInTeam()) {
@@ -71,7 +71,7 @@ final class OtherServer implements BenchmarkServer {
         }
     }
 
-    /** {@return whether any message was answered} */
+    /** {@return whether a reply was sent to any message} */
     private static boolean answer(List<BenchmarkAgent> agents) throws IOException {
         boolean answered = false;
         for (BenchmarkAgent agent : agents) {
@@ -85,7 +85,7 @@ final class OtherServer implements BenchmarkServer {
 
     @Override
     public void cycle() {
-        // The server starts its next cycle when all agents have answered.
+        // The server starts its next cycle when all agents have replied.
     }
 
     @Override

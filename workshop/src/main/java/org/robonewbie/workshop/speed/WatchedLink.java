@@ -4,7 +4,7 @@ import java.io.IOException;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Connection that reports a stalled server instead of a plain disconnect if a {@link StallGuard} closed it. */
+/** Connection that reports a stalled server instead of a plain disconnect if a {@link StallGuard} has closed it. */
 final class WatchedLink implements AgentLink {
 
     private final AgentLink link;

@@ -29,7 +29,7 @@ final class BallPlayer extends Agent {
     protected void think() {
         world.update(nao, fieldView);
         gaze.look(world);
-        begun = begun || motions.start("stand"); // as every player does before a match, after it has beamed
+        begun = begun || motions.start("stand"); // as every player does after beaming, before the match
         if (motions.isFinished() && Double.isFinite(world.ballAgeSeconds())) {
             kick.kick(world, 0);
         }

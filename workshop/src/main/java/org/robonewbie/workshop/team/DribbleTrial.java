@@ -23,7 +23,7 @@ record DribbleTrial(double seconds, double farthest) {
     private static final double GIVE_UP_SECONDS = 30;
     private static final double MAX_METRES = 0.5;
 
-    /** Runs a trial on a full simulator. */
+    /** Runs a trial in a full simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
                 PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(new Dribbler(numbers)))) {

@@ -66,7 +66,7 @@ final class TeamMatch {
      *
      * @param seed seed for all noise
      * @param home number of players of the measured team
-     * @param away number of players of the other team, may be 0
+     * @param away number of players of the other team; may be 0
      * @param team creates a player of the measured team, given its uniform number
      * @param others creates a player of the other team, given its uniform number
      * @param halfSeconds length of the half in seconds

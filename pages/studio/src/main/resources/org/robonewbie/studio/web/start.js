@@ -1,6 +1,6 @@
 /**
  * Lets the browser paint the page before the scripts run and set up WebGL, which is slow without a graphics card. Waiting for an animation
- * frame is not enough: the process that paints it is the one that then sets up WebGL.
+ * frame is not enough, because the same process paints the page and sets up WebGL.
  */
 
 const TIMEOUT_MILLISECONDS = 1000;

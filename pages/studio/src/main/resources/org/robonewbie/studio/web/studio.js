@@ -86,7 +86,7 @@ export class Studio {
     requestAnimationFrame(this.#turn);
   }
 
-  /** Shows the link to the program room in a studio that runs programs, and opens the room for a newcomer. */
+  /** Shows the link to the program room if the studio can run programs, and opens the room for newcomers. */
   async #offerPrograms() {
     const programs = await new ProgramService().list();
     offerRoom('#program', programs.open);
@@ -254,7 +254,7 @@ export class Studio {
     }
   }
 
-  /** Redraws if anything has changed; nothing is drawn while world and camera are still. */
+  /** Redraws if anything has changed; nothing is drawn while the world and the camera are still. */
   #turn = (/** @type {number} */ now) => {
     requestAnimationFrame(this.#turn);
     if (this.#hasDrawn) {

@@ -59,7 +59,7 @@ public final class ProgramLibrary {
                 || folder.equals("java.util.function");
     }
 
-    /** {@return the names of the allowed classes of Java's library} */
+    /** {@return the names of the allowed classes of the Java class library} */
     public static Set<String> javaClasses() {
         return JAVA;
     }

@@ -5,15 +5,14 @@ import java.util.Set;
 import org.teavm.extension.introspect.IntrospectMember;
 import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 
-/** TeaVM policy that keeps everything that students' programs may call accessible by reflection. */
+/** TeaVM policy that keeps all members available to students' programs accessible by reflection. */
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
     /** Whether the module without students' programs is being compiled. */
     private static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
 
     /**
-     * Excluded methods: methods that connect to a simulator, for which the page has replacements, and methods that let
-     * threads wait for each other.
+     * Excluded methods: those that connect to a simulator, which the page replaces, and those that make threads wait for each other.
      */
     private static final Set<String> OTHERWISE =
             Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");

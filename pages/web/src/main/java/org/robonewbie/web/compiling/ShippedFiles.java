@@ -10,7 +10,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.teavm.extension.spi.resources.ResourcesPolicy;
 
-/** TeaVM policy that adds resources to the module: the motions, and the texts of the exercises. */
+/** TeaVM policy that adds resources to the module: the motions and the exercise texts. */
 public final class ShippedFiles implements ResourcesPolicy {
 
     /** Creates the policy; TeaVM finds it by name. */

@@ -58,7 +58,7 @@ public final class DataSet {
         this.events = new RunFiles(folder.resolve(EVENTS));
     }
 
-    /** {@return the columns of the table of cycles, those of the messages included} */
+    /** {@return the columns of the table of cycles, including those of the messages} */
     public static List<Column> columns() {
         return new CycleTable(true).columns();
     }
@@ -187,7 +187,7 @@ public final class DataSet {
         events.discard(run);
     }
 
-    /** {@return the runs whose agent failed, ordered by number} */
+    /** {@return the runs in which the agent failed, ordered by number} */
     public synchronized List<RunResult> failures() {
         return runs.values().stream()
                 .filter(result -> !result.failure().isEmpty())

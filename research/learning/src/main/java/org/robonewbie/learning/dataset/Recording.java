@@ -26,7 +26,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param runs the number of runs
  * @param robots the number of robots that the program connects
  * @param seconds simulated length of each run
- * @param firstSeed seed of the first run; the seed increases by one for each further run
+ * @param firstSeed seed of the first run; the seed increases by one for each subsequent run
  */
 public record Recording(DataSet set, int runs, int robots, double seconds, long firstSeed) {
 
@@ -48,7 +48,7 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     }
 
     /**
-     * Records the missing runs. If the program fails in a run, the table of runs reports it, and the other runs continue.
+     * Records the missing runs. If the program fails in a run, the failure is recorded in the table of runs, and the other runs continue.
      *
      * @param threads the number of parallel runs, at least 1
      * @param program the program
@@ -117,8 +117,8 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     }
 
     /**
-     * Runs the program. The simulator waits for all robots; if some do not connect in time, it is closed, which stops the
-     * program.
+     * Runs the program. The simulator waits for all robots; if some of them do not connect in time, the simulator is closed, which stops
+     * the program.
      */
     private static Optional<String> play(Simulator simulator, Program program) throws IOException {
         CompletableFuture<Void> end = new CompletableFuture<>();

@@ -85,7 +85,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
         }
     }
 
-    /** Adds a row. After a write error the simulation continues without tables, and {@link #finish} reports the error. */
+    /** Adds a row. After a write error, the simulation continues without tables, and {@link #finish} reports the error. */
     private void add(TableFile file, List<Object> row) {
         if (failure == null) {
             try {

@@ -13,8 +13,8 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
 
 /**
- * Columns for the ball, landmarks and players in the camera image, and for messages that a robot receives and sends.
- * Lists of players and messages are JSON, because their length varies.
+ * Columns for the ball, landmarks and players in the camera image, and for messages that a robot receives and sends. Lists of players and
+ * messages are stored as JSON, because their length varies.
  */
 final class SeenAndSaid {
 

@@ -152,7 +152,7 @@ public final class DomainRandomization {
     }
 
     /**
-     * Returns a copy with a default number of cycles per action; a value that an option has set is kept.
+     * Returns a copy with a default number of cycles per action; a value set by an option is kept.
      *
      * @param cycles the number of cycles
      * @return the changed options

@@ -47,7 +47,7 @@ final class EnvironmentConnection {
         this.viewer = viewer;
     }
 
-    /** Answers requests until the connection is closed. */
+    /** Handles requests until the connection is closed. */
     void serve() throws IOException {
         try {
             while (true) {

@@ -6,7 +6,7 @@ import org.robonewbie.simulator.embedded.RedirectPage;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** Live view of one environment, which runs in real time while it is shown and can be paused. */
+/** Live view of one environment, which runs in real time while it is displayed and can be paused. */
 final class EnvironmentRenderer implements AutoCloseable {
 
     private final TrainingEnvironment environment;

@@ -54,7 +54,7 @@ public record EnvironmentSpec(String task, List<String> options) {
         return tasks;
     }
 
-    /** {@return what the options change, by name} */
+    /** {@return descriptions of the options, by name} */
     public static Map<String, String> meaningOfOptions() {
         Map<String, String> meanings = new LinkedHashMap<>();
         for (DomainRandomization.Name name : DomainRandomization.Name.values()) {

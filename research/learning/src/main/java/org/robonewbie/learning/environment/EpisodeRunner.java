@@ -30,8 +30,8 @@ final class EpisodeRunner implements Controller {
     private static final double MARGIN = 0.1;
 
     /**
-     * Number of readings that the option {@code noise} affects: joint angles, gyroscope and accelerometer. They come
-     * first in an observation.
+     * Number of readings affected by the option {@code noise}: joint angles, gyroscope and accelerometer. They come first in an
+     * observation.
      */
     private static final int NOISY_READINGS = Joint.COUNT + 6;
 

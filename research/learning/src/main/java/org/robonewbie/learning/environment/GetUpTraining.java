@@ -18,8 +18,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: get up from lying on its front, and keep standing. The episode is never terminated, so getting up early yields
- * the largest return.
+ * Task: get up from lying on its front, and remain standing. The episode is never terminated, so getting up early yields the largest
+ * return.
  */
 class GetUpTraining extends TrainingTask {
 
@@ -84,7 +84,7 @@ class GetUpTraining extends TrainingTask {
         up = body.tiltDegrees() < UPRIGHT_DEGREES && body.position().z() > 0.9 * HIGH_METRES;
     }
 
-    /** {@return whether the robot stands} */
+    /** {@return whether the robot is standing} */
     @Override
     public boolean isDone() {
         return up;

@@ -14,7 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Self-play of two teams until the first goal. A ball that leaves the pitch beside the goal is put back. */
+/** Self-play between two teams until the first goal. A ball that leaves the pitch beside the goal is put back. */
 final class MatchTraining extends TrainingTask {
 
     private static final String[] TEAMS = {"left", "right"};
@@ -62,8 +62,8 @@ final class MatchTraining extends TrainingTask {
     }
 
     /**
-     * Returns the start pose of the robot with the given index. The first robot of a team stands near the ball, the
-     * others behind it in rows of three.
+     * Returns the start pose of the robot with the given index. The first robot of a team stands near the ball; the others stand behind it
+     * in rows of three.
      */
     private static Pose2d place(int index) {
         int row = (index + 2) / 3;
@@ -189,7 +189,7 @@ final class MatchTraining extends TrainingTask {
         return goal == side();
     }
 
-    /** {@return whether a goal was scored; a fall does not end the match} */
+    /** {@return whether a goal has been scored; a fall does not end the match} */
     @Override
     public boolean isDecided() {
         return goal != 0;

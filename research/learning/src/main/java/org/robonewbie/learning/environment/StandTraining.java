@@ -33,7 +33,7 @@ final class StandTraining extends TrainingTask {
         totalReward += 1 - now.robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
     }
 
-    /** {@return whether the robot has stood for 6 s, despite pushes of up to 40 N} */
+    /** {@return whether the robot has remained standing for 6 s, despite pushes of up to 40 N} */
     @Override
     public boolean isDone() {
         return standingCycles * Cycle.SECONDS >= GOAL_SECONDS;

@@ -64,7 +64,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         return quantities;
     }
 
-    /** {@return the task of the current episode; that of the first robot if several robots learn} */
+    /** {@return the task of the current episode; that of the first robot if several robots are learning} */
     public TrainingTask task() {
         return runners.get(0).task();
     }
@@ -132,7 +132,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /**
-     * Sets the options for all following episodes.
+     * Sets the options for all subsequent episodes.
      *
      * @param newOptions the options
      */
@@ -140,7 +140,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         options = newOptions;
     }
 
-    /** Sets the listener for all following cycles. */
+    /** Sets the listener for all subsequent cycles. */
     void setListener(TrialListener newListener) {
         listener = newListener;
         listener.cycleEnded(trial);

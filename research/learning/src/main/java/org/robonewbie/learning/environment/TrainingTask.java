@@ -31,9 +31,8 @@ import org.robonewbie.trial.measure.Pushes;
  * Task of one robot in one episode of reinforcement learning. Its value as a measure is the return so far, so the reward
  * for a step is the increase in the value. A fall terminates the episode.
  *
- * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the
- * initial posture, in units of {@link #rangeDegrees}. Subclasses override what differs from the defaults; a custom task
- * must have a public no-arg constructor.
+ * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the initial posture,
+ * in units of {@link #rangeDegrees}. Subclasses override the defaults as needed; a custom task must have a public no-arg constructor.
  *
  * <pre>{@code
  * public final class Squat extends TrainingTask {
@@ -128,7 +127,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the motion to play, which must move all joints; an action corrects its postures. By default none: an
+     * {@return the motion to play, which must move all joints; an action corrects its postures. By default, there is no motion, and an
      * action is relative to the initial posture}
      */
     public Optional<Motion> motion() {
@@ -136,8 +135,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the walking policy whose correction the agent learns: an action takes the place of the output of the policy's
-     * network; empty by default}
+     * {@return the walking policy that the agent learns to correct: an action replaces the output of the policy's network; empty by
+     * default}
      */
     public Optional<Policy> walk() {
         return Optional.empty();
@@ -248,12 +247,12 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 0;
     }
 
-    /** {@return what is rewarded and what is penalised, for help texts; empty by default} */
+    /** {@return what is rewarded and what is penalised, for help messages; empty by default} */
     public String rewardRule() {
         return "";
     }
 
-    /** {@return the condition for success, for help texts} */
+    /** {@return the condition for success, for help messages} */
     public String successRule() {
         return "no fall";
     }

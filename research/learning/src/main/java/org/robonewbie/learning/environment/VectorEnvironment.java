@@ -8,8 +8,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /**
- * Environments of one connection, which are stepped in parallel. Requests and answers are in the binary format of
- * docs/gym-protocol.md.
+ * Environments of one connection, which are stepped in parallel. Requests and responses are in the binary format of docs/gym-protocol.md.
  */
 final class VectorEnvironment implements AutoCloseable {
 
@@ -82,8 +81,7 @@ final class VectorEnvironment implements AutoCloseable {
     }
 
     /**
-     * The answer from one environment: the state of each robot, and the initial observations if it was reset after the
-     * step.
+     * The response from one environment: the state of each robot, and the initial observations if it was reset after the step.
      */
     @SuppressWarnings("ArrayRecordComponent")
     private record Answer(byte[] states, byte[] fresh) {}

@@ -44,8 +44,8 @@ final class WalkGuide {
     private boolean walking;
 
     /**
-     * Creates the guide for a standing robot. At rest, the robot's joints either hold their current angles, as an
-     * agent's do, or return to its standard stance.
+     * Creates the guide for a standing robot. At rest, the joints either hold their current angles, like those of an agent, or return to
+     * the standard stance.
      */
     WalkGuide(WalkStyle style, Motors motors, boolean holdsAtRest) {
         engine = new WalkEngine(style, this::observe);

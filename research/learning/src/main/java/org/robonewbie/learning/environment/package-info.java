@@ -1,5 +1,5 @@
 /**
- * Environments for reinforcement learning, their tasks, and a server that training programs in other languages connect to. Read {@link
+ * Environments for reinforcement learning, their tasks, and a server for training programs in other languages. Read {@link
  * org.robonewbie.learning.environment.TrainingTask} first, then {@link org.robonewbie.learning.environment.EnvironmentSpec}.
  */
 @org.jspecify.annotations.NullMarked

@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
-/** Pose of a robot that lies on the ground, with trials that begin in this pose. */
+/** Pose of a robot lying on the ground, with trials that begin in this pose. */
 public enum FallenPose {
     /** Chest up. */
     ON_BACK("lying on back"),

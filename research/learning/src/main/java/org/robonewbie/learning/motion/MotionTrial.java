@@ -166,7 +166,7 @@ public final class MotionTrial implements AutoCloseable {
     /**
      * Begins a new measurement and removes all measures.
      *
-     * @param untilFall whether the trial ends with a fall
+     * @param untilFall whether a fall ends the trial
      */
     public void begin(boolean untilFall) {
         start = trial.now();
@@ -184,7 +184,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Adds a measure, which receives the current state and those of all following cycles.
+     * Adds a measure, which receives the current state and the states of all subsequent cycles.
      *
      * @param measure the measure
      */

@@ -4,7 +4,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Controller;
 
-/** Robot that a {@link MotionTrial} controls. It holds its joints still unless it plays a motion or walks. */
+/** Robot controlled by a {@link MotionTrial}. It holds its joints still unless it is playing a motion or walking. */
 public interface ScriptedRobot {
 
     /** {@return the controller of the robot in a trial} */
@@ -24,6 +24,6 @@ public interface ScriptedRobot {
      */
     void walk(WalkVelocity velocity);
 
-    /** {@return whether the robot plays a motion or walks} */
+    /** {@return whether the robot is playing a motion or walking} */
     boolean isBusy();
 }

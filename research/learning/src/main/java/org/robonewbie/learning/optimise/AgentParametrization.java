@@ -35,7 +35,7 @@ public final class AgentParametrization implements Parametrization {
      * @param factory creates an agent; must be thread-safe
      * @param objective the objective
      * @param scene the scene of the trials
-     * @throws IllegalArgumentException if the agent declares no number
+     * @throws IllegalArgumentException if the agent declares no numbers
      */
     public AgentParametrization(String name, Supplier<Agent> factory, Objective objective, AgentScene scene) {
         this(name, factory, objective, scene, new AgentDriver(factory.get()).numbers());
@@ -175,7 +175,7 @@ public final class AgentParametrization implements Parametrization {
         return clamp(number, rounded);
     }
 
-    /** Returns by how much a coordinate is outside the range of its number; 0 if it is inside. */
+    /** Returns the distance of a coordinate from the range of its number; 0 if it is inside the range. */
     private double beyond(int index, double coordinate) {
         TunableNumber number = numbers.get(index);
         double value = unclamped(number, coordinate);

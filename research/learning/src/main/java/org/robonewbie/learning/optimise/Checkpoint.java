@@ -35,7 +35,7 @@ final class Checkpoint implements AutoCloseable {
         journal.lines().forEach(this::read);
     }
 
-    /** Begins a new search and deletes an earlier checkpoint. */
+    /** Begins a new search and deletes any earlier checkpoint. */
     static Checkpoint begin(Path file, String header) throws IOException {
         Files.deleteIfExists(file);
         return new Checkpoint(file, header);

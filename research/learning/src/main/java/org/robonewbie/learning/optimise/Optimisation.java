@@ -18,8 +18,8 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Optimisation of a parametrization for an objective by CMA-ES. Each candidate is evaluated with several seeds. At the
- * end, the start and the result are compared in trials with seeds that the search has not used.
+ * Optimisation of a parametrization for an objective by CMA-ES. Each candidate is evaluated with several seeds. At the end, the initial
+ * values and the result are compared in trials with seeds that the search has not used.
  *
  * <pre>{@code
  * Objective distance = Objective.named("kick-distance", classes);
@@ -100,11 +100,11 @@ public final class Optimisation {
     private record CandidateTrial(double[] candidate, long seed) implements Serializable {}
 
     /**
-     * Runs the search, compares its result with the start, and writes the result if it is better.
+     * Runs the search, compares its result with the initial values, and writes the result if it is better.
      *
      * @param resume whether to resume an interrupted run, which has the same result as an uninterrupted one
-     * @param listener called for each generation, including those from before the interruption
-     * @return the comparison of start and result
+     * @param listener called for each generation, including those completed before the interruption
+     * @return the comparison of the initial values and the result
      * @throws IOException if a file cannot be read or written
      */
     public OptimisationResult run(boolean resume, OptimisationListener listener) throws IOException {
@@ -206,7 +206,7 @@ public final class Optimisation {
         return plan.seed() * SEEDS_PER_RUN + generation / GENERATIONS_PER_SEEDS * 1000L;
     }
 
-    /** Returns the settings that identify the search: all that determine its course, except the number of generations. */
+    /** Returns the settings that identify the search: all those that determine its course, except the number of generations. */
     private String question() {
         return "optimise " + subject.commandLine() + " " + subject.fingerprint() + " --objective " + objective.label()
                 + " " + plan.options(false);

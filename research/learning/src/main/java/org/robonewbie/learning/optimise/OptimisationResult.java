@@ -3,13 +3,13 @@ package org.robonewbie.learning.optimise;
 import java.util.Locale;
 
 /**
- * Comparison of the start and the result of an optimisation, in the same trials with seeds that the search has not used.
+ * Comparison of the initial values and the result of an optimisation in the same trials, with seeds that the search has not used.
  *
  * @param objective the objective
- * @param before the evaluation of the start
+ * @param before the evaluation of the initial values
  * @param after the evaluation of the result
  * @param trials the number of trials of each evaluation
- * @param advice how to use the result other than through its file; may be empty
+ * @param advice how to use the result without its file; may be empty
  */
 public record OptimisationResult(Objective objective, Evaluation before, Evaluation after, int trials, String advice) {
 
@@ -23,7 +23,7 @@ public record OptimisationResult(Objective objective, Evaluation before, Evaluat
      * Describes an evaluation.
      *
      * @param evaluation {@link #before} or {@link #after}
-     * @return a text such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
+     * @return a description such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
      */
     public String words(Evaluation evaluation) {
         return String.format(

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Mapping between the parameters of a motion, the walk engine or an agent and the coordinates of a search. A coordinate
- * is the difference from the current value, in units that have a small but noticeable effect; the search starts at the
- * origin. Implementations are thread-safe.
+ * Mapping between the parameters of a motion, the walk engine or an agent and the coordinates of a search. A coordinate is the difference
+ * from the current value, in steps that have a small but noticeable effect; the search starts at the origin. Implementations are
+ * thread-safe.
  */
 public interface Parametrization {
 
@@ -53,7 +53,7 @@ public interface Parametrization {
          *
          * @param classes the class loader for agents and measures
          * @return the parametrization
-         * @throws IllegalArgumentException if a class is missing; the message names it
+         * @throws IllegalArgumentException if a class is missing; the message contains its name
          */
         Parametrization create(ClassLoader classes);
     }
@@ -69,7 +69,7 @@ public interface Parametrization {
     }
 
     /**
-     * Describes how to use a candidate other than through its file.
+     * Describes how to use a candidate without its file.
      *
      * @param coordinates the coordinates of the candidate
      * @return lines of text; empty, the default, for none
@@ -79,7 +79,7 @@ public interface Parametrization {
     }
 
     /**
-     * Writes a candidate to a file, atomically.
+     * Atomically writes a candidate to a file.
      *
      * @param coordinates the coordinates of the candidate
      * @param facts comments about the origin of the candidate, written in this order

@@ -18,8 +18,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Measure;
 
 /**
- * Parameters of the walk engine. A trial consists of a straight walk at full speed, which is measured, and a walk with
- * erratic commands. It succeeds if the robot falls in neither.
+ * Parameters of the walk engine. A trial consists of a straight walk at full speed, which is measured, and a walk with erratic commands. A
+ * trial succeeds if the robot falls in neither walk.
  */
 public final class WalkParametrization implements Parametrization {
 

@@ -19,7 +19,7 @@ import org.robonewbie.learning.environment.TrainingTask;
 
 /**
  * Mapping between the policies of a task and parameter vectors. A vector holds the parameters of a gait, if the task learns one, and the
- * weights of a network. By default the inputs of the network are all components of the observation except the joint angles.
+ * weights of a network. By default, the inputs of the network are all components of the observation except the joint angles.
  *
  * <pre>{@code
  * PolicyModel model = new PolicyModel(new EnvironmentSpec("Stand", List.of()), PolicyModel.DEFAULT_INPUTS, 16, classes);

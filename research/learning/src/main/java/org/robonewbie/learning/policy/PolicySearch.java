@@ -20,8 +20,8 @@ import org.robonewbie.trial.batch.BatchProgress;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * Direct policy search by an {@link EvolutionStrategy}. Each generation writes the current policy, a row of the learning curve (CSV) and a
- * checkpoint, from which an interrupted search resumes with the same result.
+ * Direct policy search by an {@link EvolutionStrategy}. Each generation saves the current policy, a row of the learning curve (CSV) and a
+ * checkpoint. From the checkpoint, an interrupted search resumes with the same result.
  *
  * <pre>{@code
  * PolicySearch search = new PolicySearch(model, new EvolutionStrategy(1, 16, 0.05, 0.01), Path.of("Stand.policy"));
@@ -154,7 +154,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return model.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
     }
 
-    /** Returns the settings that identify the search: all that determine its result, except the number of generations. */
+    /** Returns the settings that identify the search: all those that determine its result, except the number of generations. */
     private String question() {
         return model.task() + " " + strategy.commandLine() + model.commandLine();
     }

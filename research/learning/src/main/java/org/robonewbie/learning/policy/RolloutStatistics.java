@@ -13,7 +13,7 @@ import org.robonewbie.nao.Cycle;
  */
 public record RolloutStatistics(List<Rollout> rollouts) {
 
-    /** Header of a CSV table of statistics, without line terminator. */
+    /** Header of a CSV table of statistics, without a line terminator. */
     static final String COLUMNS = "episodes,cycles,reward,falls,speedError,turnError,successes";
 
     /** Stores an unmodifiable copy of the list. */

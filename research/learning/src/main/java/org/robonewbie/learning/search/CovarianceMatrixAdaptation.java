@@ -12,9 +12,8 @@ import java.util.stream.IntStream;
  * Covariance matrix adaptation evolution strategy (CMA-ES): minimises a cost function without derivatives, even if it is
  * noisy and multimodal, such as the distance that a robot walks.
  *
- * <p>By default, the search also learns from the worse half of a generation by negative recombination weights (active
- * CMA-ES), which saves a fifth to a third of the evaluations on ill-conditioned problems. {@link #plain} uses no negative
- * weights.
+ * <p>By default, the search also learns from the worse half of a generation through negative recombination weights (active CMA-ES), which
+ * saves a fifth to a third of the evaluations on ill-conditioned problems. {@link #plain} uses no negative weights.
  *
  * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants and equation numbers.
  *

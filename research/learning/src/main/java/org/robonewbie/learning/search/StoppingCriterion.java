@@ -37,7 +37,7 @@ final class StoppingCriterion {
     }
 
     /**
-     * Returns whether the run has converged or stagnates.
+     * Returns whether the run has converged or is stagnating.
      *
      * @param spread the largest standard deviation of a coordinate, relative to that of the first generation
      * @param condition the condition number of the covariance matrix

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Experiment whose trials form a series. An implementation must have a public no-arg constructor. Trials may run in
- * parallel, on other computers, and again after a failure, so the result must depend only on the parameters and the seed.
+ * Experiment whose trials form a series. An implementation must have a public no-arg constructor. Trials may run in parallel or on other
+ * computers, and may be repeated after a failure, so the result must depend only on the parameters and the seed.
  *
  * <pre>{@code
  * public class Nod implements Experiment {

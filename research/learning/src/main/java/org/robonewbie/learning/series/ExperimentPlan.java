@@ -44,7 +44,7 @@ public record ExperimentPlan(
 
     /**
      * Reads a plan, a text file with lines {@code name=value}. Names other than {@code experiment}, {@code trials} and {@code seed} are
-     * parameters; their values are numbers or quoted texts, separated by commas. Unquoted {@code #} starts a comment.
+     * parameters; their values are numbers or quoted strings, separated by commas. An unquoted {@code #} starts a comment.
      *
      * @param file the file
      * @return the plan

@@ -163,8 +163,8 @@ public final class ExperimentRun implements AutoCloseable {
     /**
      * Outcome of a trial.
      *
-     * @param numbers the measured values; none if it failed
-     * @param failure the reason for the failure, as a sentence that names the trial; empty if it did not fail
+     * @param numbers the measured values; none if the trial failed
+     * @param failure the reason for the failure, as a sentence that identifies the trial; empty if the trial did not fail
      */
     @SuppressWarnings("ArrayRecordComponent")
     record Outcome(double[] numbers, String failure) implements Serializable {}

@@ -1,5 +1,5 @@
 /**
- * Experiments: series of trials that a plan file defines and that run on any number of cores or computers with identical results. Read
+ * Experiments: series of trials that are defined in a plan file and run on any number of cores or computers with identical results. Read
  * {@link org.robonewbie.learning.series.Experiment} first.
  */
 @org.jspecify.annotations.NullMarked

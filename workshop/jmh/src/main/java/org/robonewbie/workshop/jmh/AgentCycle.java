@@ -22,9 +22,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
 /**
- * Cost of the framework per cycle of 20 ms for a robot program: receiving and parsing a recorded server message (two
- * teams; every third message has camera data), sensing, acting and formatting the answer. Nothing is sent, and the
- * program computes nothing.
+ * Cost of the framework per cycle of 20 ms for a robot program: receiving and parsing a recorded server message (two teams; every third
+ * message has camera data), sensing, acting and formatting the reply. Nothing is sent, and the program performs no computation.
  *
  * <p>{@link #perception} measures the immutable perception alone; any additional allocations in the other benchmarks
  * are overhead. Sample mode yields median times but itself allocates memory, so take the allocations from the

@@ -11,7 +11,7 @@ import java.util.zip.GZIPInputStream;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Connection without a server: repeats the messages of a recording and discards the answers. */
+/** Connection without a server: repeats the messages of a recording and discards the replies. */
 final class ReplayLink implements AgentLink {
 
     private static final String RECORDING =

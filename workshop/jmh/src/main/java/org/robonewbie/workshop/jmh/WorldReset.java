@@ -18,7 +18,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Cost of resetting a world so that its robots stand: by restoring a saved state, and by letting them settle. */
+/** Cost of resetting a world to standing robots: by restoring a saved state, and by letting the robots settle. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)

@@ -1,5 +1,5 @@
 /**
- * Exports recordings as videos: each frame is rendered for its exact time, independent of the rendering speed, and encoded by the browser.
+ * Exports recordings as videos: each frame is rendered at its exact time, regardless of rendering speed, and encoded by the browser.
  */
 import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
@@ -23,7 +23,7 @@ const BITS_PER_SECOND = 3_000_000;
 const MAX_WAITING = 4;
 const MICROSECONDS = 1_000_000;
 
-/** Codecs in order of preference, the faster one first. @type {Array<{codec: string, name: 'V_VP8' | 'V_VP9'}>} */
+/** Codecs in order of preference, fastest first. @type {Array<{codec: string, name: 'V_VP8' | 'V_VP9'}>} */
 const CODECS = [
   { codec: 'vp8', name: 'V_VP8' },
   { codec: 'vp09.00.31.08', name: 'V_VP9' },

@@ -57,7 +57,7 @@ function nearestFirst(things) {
   return [...things].sort((a, b) => distance(a) - distance(b));
 }
 
-/** Hides labels that would overlap; earlier ones win. @param {SVGTextElement[]} names */
+/** Hides labels that would overlap; earlier labels take precedence. @param {SVGTextElement[]} names */
 function hideCoveredNames(names) {
   /** @type {DOMRect[]} */
   const taken = [];

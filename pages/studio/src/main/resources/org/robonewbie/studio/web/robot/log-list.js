@@ -1,4 +1,4 @@
-/** Log of a robot: lines from a minimum level, with the line of the shown moment marked; a click jumps to the moment of a line. */
+/** Robot log: lines at or above a minimum level, with the current line highlighted. Clicking a line jumps to its time. */
 import { button, choice, element } from '../panels/elements.js';
 
 /** @typedef {import('../state/robot/telemetry.js').LogLine} LogLine */

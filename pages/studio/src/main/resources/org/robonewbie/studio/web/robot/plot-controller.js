@@ -1,4 +1,4 @@
-/** Plots of arbitrary values over time, several curves per plot, with one cursor that is shared with all rooms. */
+/** Plots of arbitrary values over time, with several curves per plot and one time cursor shared by all rooms. */
 import { button, choice, element, offer, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { fixed } from '../state/numbers.js';
@@ -81,7 +81,7 @@ export class PlotController {
     this.rows.forEach((each) => each.head.parentElement?.classList.toggle('chosen', each === row));
   }
 
-  /** Adds a value to the selected plot, or removes it. @param {string} name */
+  /** Adds a value to the selected plot, or removes it if it is already plotted there. @param {string} name */
   toggle(name) {
     if (this.rows.length === 0) {
       this.add([]);
@@ -112,7 +112,7 @@ export class PlotController {
     this.pause.setAttribute('aria-pressed', String(this.heldAt !== undefined));
   }
 
-  /** @param {RobotMoment} moment @param {boolean} isLive whether the moment is the present */
+  /** @param {RobotMoment} moment @param {boolean} isLive whether the moment is the current one */
   draw(moment, isLive) {
     this.moment = moment;
     this.tree.draw(moment.traces, this.rows[this.chosen]?.names ?? []);

@@ -39,7 +39,7 @@ export function loadPlotter() {
  * @param {HTMLElement} place
  * @param {readonly string[]} names
  * @param {{width: number, seek: (seconds: number) => void, zoomed: (range: {from: number, to: number}) => void}} options
- * @returns {any} a plot; undefined until the library is loaded and while there is no space
+ * @returns {any} a plot; undefined if the library is not loaded yet or there is no space
  */
 export function newPlot(place, names, { width, seek, zoomed }) {
   place.replaceChildren();

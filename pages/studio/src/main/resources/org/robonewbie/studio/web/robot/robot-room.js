@@ -76,7 +76,7 @@ export class RobotRoom {
     return element('div', { class: 'sheets' }, element('div', { class: 'tabs' }, ...tabs), ...sheets);
   }
 
-  /** Key actions of this room. */
+  /** Keyboard actions of this room. */
   get actions() {
     return [
       {
@@ -97,7 +97,7 @@ export class RobotRoom {
     this.lastPicture = 0;
   }
 
-  /** Forgets the subscription, which a new connection does not have. */
+  /** Forgets the subscription, because a new connection has none. */
   forget() {
     this.watch.forget();
   }

@@ -1,4 +1,4 @@
-/** Perceptors of a robot: accelerometer, gyroscope, feet, hearing, and the game state of the referee. */
+/** Perceptors of a robot: accelerometer, gyroscope, feet, hearing, and the referee's game state. */
 import { label, shape } from '../panels/drawing.js';
 import { element, setText } from '../panels/elements.js';
 import { fixed } from '../state/numbers.js';
@@ -34,7 +34,7 @@ export function sensesPanel(place) {
   };
 }
 
-/** Shows the last heard message until another one arrives. @param {Element} target @param {string} said */
+/** Shows the last message heard until another one arrives. @param {Element} target @param {string} said */
 function keepText(target, said) {
   setText(target, said || target.textContent || '–');
 }

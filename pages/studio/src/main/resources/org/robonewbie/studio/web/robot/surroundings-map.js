@@ -59,7 +59,12 @@ function believedSelf(torso, side, self) {
   );
 }
 
-/** Converts a position relative to the robot to the map, where forward is up. @param {number[]} position @returns {[string, string]} */
+/**
+ * Converts a position relative to the robot to map coordinates, where forward is up.
+ *
+ * @param {number[]} position
+ * @returns {[string, string]}
+ */
 function at([forward, left]) {
   return [(-left).toFixed(3), (-forward).toFixed(3)];
 }

@@ -1,10 +1,10 @@
-/** Plots over the rounds of a search. */
+/** Plots of values over the rounds of a search. */
 import { axes, roomy, uPlot } from '../robot/plotter.js';
 
 /**
  * @typedef {object} Curve
  * @property {string} label
- * @property {string} colour name of a colour of the theme
+ * @property {string} colour name of a theme colour
  * @property {number[]} [dash]
  * @property {boolean} [points] whether each value is marked
  */
@@ -43,7 +43,7 @@ export function searchPlot(place, curves) {
   return plot;
 }
 
-/** Tick distances: whole rounds only. */
+/** Tick spacings, in whole rounds. */
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
 /**

@@ -7,7 +7,7 @@ export const TRAIL_SECONDS = 3;
 const MIN_METRES = 0.03;
 const MAX_GAP_SECONDS = 0.5;
 
-/** Speed above which the ball must have been repositioned; no kick is as fast. */
+/** Speed above which the ball must have been repositioned; no kick is that fast. */
 const LEAP_METRES_PER_SECOND = 25;
 
 export class BallPath {

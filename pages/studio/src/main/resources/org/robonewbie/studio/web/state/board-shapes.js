@@ -8,7 +8,7 @@
  * @property {string} colour
  * @property {number} [opacity]
  * @property {string} text
- * @property {'left' | 'right'} [side] side of the team, for a text above a robot
+ * @property {'left' | 'right'} [side] side of the team, for a label above a robot
  * @property {number} [number]
  */
 import { raised, ring } from './drawing-shapes.js';
@@ -19,7 +19,7 @@ const OVER_GROUND = 0.013;
 
 /** @typedef {[number, number, number]} Point */
 
-/** @param {BoardShape} shape @returns {number[]} x, y and z of three vertices per triangle; empty for a text */
+/** @param {BoardShape} shape @returns {number[]} x, y and z of three vertices per triangle; empty for a label */
 export function boardTriangles({ shape, numbers: n = [] }) {
   const half = (METRES_PER_PIXEL * n[shape === 'line' ? 6 : 3]) / 2;
   switch (shape) {

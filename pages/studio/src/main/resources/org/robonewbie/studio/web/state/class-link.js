@@ -9,11 +9,11 @@ const DAMAGED = 'The link of your class is incomplete or damaged. Copy the whole
 /** @param {Assignment} assignment @returns {string} fragment of the link */
 export const classHash = ({ exercises, seeds }) => `${MARK}${exercises.join(',')}&seeds=${seeds}`;
 
-/** @param {string} hash fragment of an address @returns {boolean} whether it is, or was, the link of a class */
+/** @param {string} hash fragment of an address @returns {boolean} whether it starts like a class link, even if the rest is damaged */
 export const isClassLink = (hash) => hash.startsWith(MARK);
 
 /**
- * @param {string} hash fragment of the link of a class; mail programs may have encoded its commas
+ * @param {string} hash fragment of a class link; mail programs may have encoded its commas
  * @returns {Assignment}
  * @throws {Error} if the link is incomplete; the message is meant for the user
  */

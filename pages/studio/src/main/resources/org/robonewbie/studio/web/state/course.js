@@ -1,4 +1,4 @@
-/** Texts about exercises and their trials. Pure. */
+/** Describes exercises and their trials to the user. Pure. */
 
 /**
  * @typedef {{tries: number, best: number, passed: boolean, minutes: number}} Standing
@@ -29,7 +29,7 @@ export function lessonTitle({ number, title, standing }) {
   return `${standing.passed ? '✓ ' : ''}${number} ${title}`;
 }
 
-/** @param {Help} help @returns {string} label of the button for the next hint; empty if all are open */
+/** @param {Help} help @returns {string} label of the button for the next hint; empty if all hints are shown */
 export function hintButton({ hints: open, allHints }) {
   return open.length < allHints ? `Open hint ${open.length + 1} of ${allHints}` : '';
 }
@@ -59,12 +59,12 @@ export function progressText(attempt) {
   return `${attempt.passed ? 'Passed' : 'Not yet passed'}: ${attempt.points.toFixed(1)} of 10 points`;
 }
 
-/** @param {Attempt} attempt @returns {string} the trial that waits for its program; empty for none */
+/** @param {Attempt} attempt @returns {string} the trial whose program is starting; empty if there is none */
 export function startingText({ state, program, judged }) {
   return state === 'WAITING' && program ? `Starting trial ${judged.length + 1}…` : '';
 }
 
-/** @param {Attempt} attempt @returns {string} the state of its program; empty without an attempt */
+/** @param {Attempt} attempt @returns {string} whether its program has passed, as a sentence; empty without an attempt */
 export function checkText({ state, program, passed }) {
   const name = program?.replace(/^.*\//, '').replace(/\.java$/, '');
   if (state === 'NONE' || !name) {
@@ -84,11 +84,11 @@ export function hints({ judged }) {
 }
 
 /**
- * Chooses the program that most likely solves an exercise.
+ * Chooses the program that is most likely to solve an exercise.
  *
  * @param {Lesson} lesson
  * @param {string[]} programs
- * @returns {string} the program; empty if none of them is likely
+ * @returns {string} the program; empty if none is likely
  */
 export function likelyProgram(lesson, programs) {
   return programs.includes(lesson.file) ? lesson.file : '';

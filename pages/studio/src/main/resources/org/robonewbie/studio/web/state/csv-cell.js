@@ -7,7 +7,7 @@ const FORMULA = /^(?:[\t\r\n]|[\s\p{Cc}\p{Cf}\p{Z}]*[=+\-@＝＋－＠])/u;
 
 /**
  * @param {string} text
- * @returns {string} the cell; a text that a spreadsheet would treat as a formula is prefixed with an apostrophe
+ * @returns {string} the cell; text that a spreadsheet would treat as a formula is prefixed with an apostrophe
  */
 export function csvCell(text) {
   const safe = FORMULA.test(text) && !NUMBER.test(text) ? `'${text}` : text;

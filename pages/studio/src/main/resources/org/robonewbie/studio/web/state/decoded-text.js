@@ -1,6 +1,6 @@
 /**
  * Detects the encoding of text files, decodes them, and encodes changed text in the same encoding. The rules are those of the Java class
- * DecodedText: a byte order mark decides; otherwise the encoding is UTF-8, or Windows-1252 if the bytes are not valid UTF-8. Pure.
+ * DecodedText: a byte order mark takes precedence; otherwise the encoding is UTF-8, or Windows-1252 if the bytes are not valid UTF-8. Pure.
  *
  * @typedef {'UTF-8' | 'UTF-16LE' | 'UTF-16BE' | 'Windows-1252'} Encoding
  *
@@ -23,7 +23,7 @@ const SIGNS =
   '\u20AC\0\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152\0\u017D\0' +
   '\0\u2018\u2019\u201C\u201D\u2022\u2013\u2014\u02DC\u2122\u0161\u203A\u0153\0\u017E\u0178';
 
-/** Thrown for bytes that are not text; the message names the line and says what to do. */
+/** Thrown for bytes that are not text; the message includes the line number and the remedy. */
 export class UndecodableText extends Error {
   /** @param {number} line starting at 1 @param {string} problem */
   constructor(line, problem) {
@@ -35,7 +35,7 @@ export class UndecodableText extends Error {
 /**
  * @param {Uint8Array} bytes all bytes of a file
  * @returns {DecodedText}
- * @throws {UndecodableText} if they are not text
+ * @throws {UndecodableText} if the bytes are not text
  */
 export function decodeText(bytes) {
   const first = bytes.length < 2 ? 0 : 256 * bytes[0] + bytes[1];
@@ -114,7 +114,11 @@ function utf8(bytes) {
   }
 }
 
-/** Rejects a damaged file: a few invalid bytes after a UTF-8 byte order mark or among many UTF-8 characters. @param {Uint8Array} bytes */
+/**
+ * Rejects damaged files: those with a few invalid bytes after a UTF-8 byte order mark or among many UTF-8 characters.
+ *
+ * @param {Uint8Array} bytes
+ */
 function refuseDamagedUtf8(bytes) {
   let letters = 0;
   let wrong = 0;
@@ -217,7 +221,7 @@ function windows1252(bytes) {
 
 /**
  * @param {string} text
- * @returns {Uint8Array | undefined} the bytes; undefined if a character is not representable or they would be decoded differently
+ * @returns {Uint8Array | undefined} the bytes; undefined if a character is not representable or if the bytes would be decoded differently
  */
 function bytesOf1252(text) {
   const codes = Array.from(text, (letter) => codeOf1252(letter));

@@ -1,4 +1,7 @@
-/** Visibility of drawings: all, those of one robot, or one kind of them. A layer is hidden if it or a parent is switched off. Pure. */
+/**
+ * Visibility of drawings: all drawings, those of one robot, or one kind of drawing from a robot. A layer is hidden if it or a parent is
+ * switched off. Pure.
+ */
 
 /** The root layer. */
 export const ALL_DRAWINGS = '';
@@ -6,7 +9,7 @@ export const ALL_DRAWINGS = '';
 /** Kinds of drawings with their labels, in display order. */
 export const KINDS = { circle: 'Circles', line: 'Lines', point: 'Points', text: 'Texts' };
 
-/** @param {string} robot its key @param {string} kind @returns {string} */
+/** @param {string} robot key of the robot @param {string} kind @returns {string} */
 export function layerOf(robot, kind) {
   return `${robot}\t${kind}`;
 }
@@ -31,7 +34,7 @@ export class DrawingLayers {
     }
   }
 
-  /** @param {string} robot its key @param {string} kind */
+  /** @param {string} robot key of the robot @param {string} kind */
   shows(robot, kind) {
     return [ALL_DRAWINGS, robot, layerOf(robot, kind)].every((layer) => this.isOn(layer));
   }

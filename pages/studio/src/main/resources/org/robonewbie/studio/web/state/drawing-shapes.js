@@ -2,7 +2,7 @@
  * Transforms drawings from the robot's head frame to the ground and triangulates them. Pure.
  *
  * @typedef {import('./robot/telemetry.js').Drawing} Drawing
- * @typedef {{x: number, y: number, cos: number, sin: number}} Stand position of a robot's head above the ground, and its heading
+ * @typedef {{x: number, y: number, cos: number, sin: number}} Stand position on the ground below a robot's head, and the robot's heading
  */
 import { headingDegrees, POSE } from './kinematics.js';
 
@@ -21,7 +21,7 @@ export function standOf(poses, head) {
   return { x: poses[head * POSE], y: poses[head * POSE + 1], cos: Math.cos(heading), sin: Math.sin(heading) };
 }
 
-/** @param {Stand} stand @param {number[]} place forward and left @returns {[number, number]} x and y in the world */
+/** @param {Stand} stand @param {number[]} place metres forward and left @returns {[number, number]} x and y in the world */
 export function onGround({ x, y, cos, sin }, [forward, left]) {
   return [x + forward * cos - left * sin, y + forward * sin + left * cos];
 }
@@ -34,7 +34,7 @@ export function isDrawable({ place, to, radius }) {
 /**
  * @param {Stand} stand
  * @param {Drawing} drawing
- * @returns {number[]} x and y of three vertices per triangle; empty for a text
+ * @returns {number[]} x and y of three vertices per triangle; empty for a label
  */
 export function trianglesOf(stand, { shape, place, to, radius }) {
   const at = onGround(stand, place);

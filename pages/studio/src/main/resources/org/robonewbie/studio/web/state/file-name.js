@@ -21,7 +21,7 @@ const WRONG = [
 ];
 
 /**
- * Normalises a name: macOS writes some letters as two characters, other systems write them as one.
+ * Normalises a name: macOS writes some letters as two characters, whereas other systems write them as one.
  *
  * @param {string} name
  * @returns {string} the normalised name
@@ -32,7 +32,7 @@ export function composedName(name) {
 
 /**
  * @param {string} name without folder and extension
- * @returns {string} its problem, such as: contains "/"; empty if it is valid
+ * @returns {string} the problem with it, such as: contains "/"; empty if it is valid
  */
 export function nameProblem(name) {
   if (name === '') {

@@ -1,4 +1,4 @@
-/** Maps a gamepad to robot commands: the left stick walks, the right stick and the triggers turn, buttons kick. Pure. */
+/** Maps a gamepad to robot commands: the left stick walks, the right stick and the triggers turn, and the buttons kick. Pure. */
 
 const DEAD = 0.18;
 const STEPS = 5;
@@ -7,14 +7,14 @@ const STEPS = 5;
 const MOTIONS = { 0: 'kick-right', 2: 'kick-left', 3: 'wave', 1: 'stand' };
 
 /**
- * @typedef {object} Pad gamepad state of the browser
+ * @typedef {object} Pad gamepad state as reported by the browser
  * @property {readonly number[]} axes
  * @property {ReadonlyArray<{pressed: boolean}>} buttons
  */
 
 /**
  * @param {Pad} pad
- * @returns {import('./puppet.js').Walk} quantised, so that small thumb movements do not send new commands
+ * @returns {import('./puppet.js').Walk} quantised, so that small thumb movements do not cause new commands
  */
 export function walkOfPad({ axes }) {
   const part = (/** @type {number | undefined} */ value = 0) =>

@@ -2,8 +2,8 @@
 import { eye, robotOutline } from './view-point.js';
 
 /**
- * @typedef {object} Face one side of a goal, seen as a solid wedge
- * @property {(point: readonly number[]) => number} depth how far a point lies inside of this side, negative outside
+ * @typedef {object} Face one side of a goal, which is treated as a solid wedge
+ * @property {(point: readonly number[]) => number} depth distance of a point from this side, negative outside the goal
  * @property {boolean} isOpen whether this side has no net
  */
 
@@ -41,7 +41,7 @@ function facesOf({ length, goalWidth, goalDepth, goalHeight }, end) {
 }
 
 /**
- * Clips the line of sight at all faces and returns whether what remains begins or ends at a net.
+ * Clips the line of sight at all faces and returns whether the remaining segment begins or ends at a net.
  *
  * @param {readonly Face[]} faces
  * @param {readonly number[]} from

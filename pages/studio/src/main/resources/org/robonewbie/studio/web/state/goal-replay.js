@@ -6,7 +6,7 @@ const AFTER_SECONDS = 1.2;
 const SPEED = 0.5;
 
 export class GoalReplay {
-  /** The replayed cycle, undefined without a replay. @type {number | undefined} */
+  /** Cycle being replayed; undefined if there is no replay. @type {number | undefined} */
   at;
   /** @type {number | undefined} */
   #goal;
@@ -51,7 +51,7 @@ export class GoalReplay {
 }
 
 /**
- * Describes which robots have joined and left.
+ * Describes which robots have joined or left.
  *
  * @param {ReadonlyArray<{team: string, number: number}>} before
  * @param {ReadonlyArray<{team: string, number: number}>} after

@@ -1,4 +1,4 @@
-/** The ring around an object: dragging it turns a robot or throws the ball. Pure. */
+/** Ring around an object: dragging it turns a robot or throws the ball. Pure. */
 
 const RING_METRES = { ball: 0.17, robot: 0.36 };
 const RING_PIXELS = { ball: 22, robot: 34 };
@@ -7,7 +7,7 @@ const DEAD_METRES = 0.06;
 const SPEED_PER_METRE = 2.5;
 const HIGH_PART = 0.6;
 
-/** Maximum speed of a throw in metres per second, faster than the hardest kicks that teams have shown. */
+/** Maximum speed of a throw in metres per second, faster than the hardest known kick of any team. */
 export const FASTEST_THROW = 12;
 
 /** @typedef {'ball' | 'robot'} Kind */
@@ -44,7 +44,7 @@ export function headingTo(centre, point) {
  *
  * @param {ArrayLike<number>} ball
  * @param {ArrayLike<number>} point pointer position
- * @param {boolean} high whether it flies over robots
+ * @param {boolean} high whether the ball flies over robots
  * @returns {{velocity: [number, number, number], speed: number} | undefined} velocity and speed in metres per second; undefined if the ball
  *     does not move
  */

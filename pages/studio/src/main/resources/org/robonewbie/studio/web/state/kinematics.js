@@ -88,7 +88,7 @@ export function headingDegrees(torso) {
 }
 
 /**
- * Returns the height at which a robot stands upright with these joint angles.
+ * Returns the height of the torso of a robot that stands upright with the given joint angles.
  *
  * @param {RobotModel} model the robot's body
  * @param {ArrayLike<number>} degrees its joint angles

@@ -1,9 +1,9 @@
 /**
- * Layout of panels: columns side by side, each a stack of panels. Edges can be moved, panels can be hidden. Pure.
+ * Layout of panels: columns side by side, each a stack of panels. Edges can be moved, and panels can be hidden. Pure.
  *
  * @typedef {'picture' | 'words' | 'curves' | 'joints' | 'surroundings' | 'code' | 'said'} PanelName
- * @typedef {{name: PanelName, part: number, isHidden: boolean}} Panel part is its fraction of the column
- * @typedef {{part: number, panels: readonly Panel[]}} Column part is its fraction of the width
+ * @typedef {{name: PanelName, part: number, isHidden: boolean}} Panel `part` is the fraction of the column
+ * @typedef {{part: number, panels: readonly Panel[]}} Column `part` is the fraction of the width
  * @typedef {readonly Column[]} Layout
  * @typedef {'wide' | 'medium' | 'narrow'} Width
  * @typedef {Exclude<import('../panels/rooms.js').RoomName, 'motion'>} PanelRoom room with panels around the 3D view
@@ -28,7 +28,7 @@ export const PANEL_TITLES = {
   said: 'Output',
 };
 
-/** Gap between panels, with its margins wide enough for touch input. */
+/** Gap between panels; with its margins, it is wide enough for touch input. */
 export const EDGE_PIXELS = 8;
 
 const MIN_PART = 0.12;
@@ -162,12 +162,12 @@ export function withEdgeMoved(layout, { column, panel }, by) {
 }
 
 /**
- * Moves the edge between an entry and the next one that is shown.
+ * Moves the edge between an entry and the next visible one.
  *
  * @template {Column | Panel} T
  * @param {readonly T[]} list
  * @param {number} first
- * @param {number} by fraction of the shown entries
+ * @param {number} by fraction of the visible entries
  * @returns {readonly T[]}
  */
 function withParts(list, first, by) {
@@ -190,7 +190,7 @@ function wholeOf(list) {
 }
 
 /**
- * Computes the boxes of all shown panels and their edges.
+ * Computes the boxes of all visible panels and their edges.
  *
  * @param {Layout} layout
  * @param {number} width pixels
@@ -227,7 +227,7 @@ function edgeOf(box, column, panel, part, label) {
 }
 
 /**
- * Divides a length among the shown entries of a list, with an edge between each two.
+ * Divides a length among the visible entries of a list, with an edge between neighbours.
  *
  * @template {Column | Panel} T
  * @param {readonly T[]} list

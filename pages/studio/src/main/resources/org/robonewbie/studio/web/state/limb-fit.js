@@ -9,7 +9,7 @@
  * @property {number[]} offset metres
  */
 
-/** Joint positions of the design: the axis of the bone, and its inner and outer end. */
+/** Joint positions of the design: the axis of the bone, and its inner and outer ends. */
 const BONES = {
   upperarm: { axis: 1, inner: -0.02, outer: 0.07 },
   thigh: { axis: 2, inner: 0.04, outer: -0.08 },

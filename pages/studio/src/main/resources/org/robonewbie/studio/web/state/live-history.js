@@ -1,4 +1,4 @@
-/** Keeps the state frames from the last minutes of the running simulation. */
+/** Keeps the state frames from the last ten minutes of the running simulation. */
 import { readFrame } from '../live/state-frame.js';
 import { partitionPoint } from './partition-point.js';
 
@@ -40,7 +40,7 @@ export class LiveHistory {
     return this.kept.at(-1)?.cycle ?? 0;
   }
 
-  /** @param {number} cycle @returns {number} index of the last frame that is not later than the cycle, or of the first frame */
+  /** @param {number} cycle @returns {number} index of the last frame that is not later than the cycle; 0 if all frames are later */
   indexOf(cycle) {
     return Math.max(0, partitionPoint(this.kept.length, (i) => this.kept[i].cycle <= cycle) - 1);
   }

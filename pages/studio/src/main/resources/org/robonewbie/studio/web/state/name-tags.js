@@ -1,6 +1,6 @@
 /** Visibility and text of the name tags. Pure. */
 
-/** Minimum height of a robot with a name tag, which would otherwise be larger than the robot. */
+/** Minimum height of a robot with a name tag; the tag of a smaller robot would be larger than the robot. */
 export const MIN_ROBOT_PIXELS = 16;
 
 const MAX_TEAM = 14;

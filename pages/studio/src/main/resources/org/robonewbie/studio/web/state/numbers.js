@@ -11,7 +11,7 @@ export function fixed(value, digits) {
 }
 
 /**
- * @param {string} text user input, also with a decimal comma
+ * @param {string} text user input, with a decimal point or comma
  * @returns {number | undefined}
  */
 export function numberOf(text) {
@@ -21,7 +21,7 @@ export function numberOf(text) {
 
 /**
  * @param {number} min
- * @returns {number} the tick distance: the smallest of … 1, 2, 5, 10, 20, 50 … that is not below `min`
+ * @returns {number} the tick spacing: the smallest of … 1, 2, 5, 10, 20, 50 … that is not below `min`
  */
 export function roundStep(min) {
   const decade = 10 ** Math.floor(Math.log10(min));

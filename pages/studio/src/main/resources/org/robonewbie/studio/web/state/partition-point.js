@@ -3,7 +3,7 @@
  *
  * @param {number} length length of the list
  * @param {(index: number) => boolean} isBefore true for the entries at the start and false for all others
- * @returns {number} how many entries satisfy it, which is the index of the first that does not
+ * @returns {number} the number of entries that satisfy the condition, which is the index of the first one that does not
  */
 export function partitionPoint(length, isBefore) {
   let [low, high] = [0, length];

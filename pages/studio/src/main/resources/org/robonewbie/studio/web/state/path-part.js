@@ -1,11 +1,11 @@
 /** Encoding of names in addresses. Pure. */
 
-/** Characters that servers and browsers treat as path syntax or refuse, with their look-alikes. @type {Record<string, string>} */
+/** Characters that servers and browsers treat as path syntax or reject, with their look-alikes. @type {Record<string, string>} */
 const LOOK_ALIKES = { '/': '∕', '\\': '⧵', '%': '％', '.': '․' };
 
 /**
- * Encodes a name as a path segment. An invalid one, such as ".." or "a/b", is replaced by a look-alike, so that the server reports the name
- * instead of resolving another address.
+ * Encodes a name as a path segment. An invalid name, such as ".." or "a/b", is replaced by a look-alike, so that the server reports the
+ * name instead of resolving another address.
  *
  * @param {string} name
  * @returns {string}

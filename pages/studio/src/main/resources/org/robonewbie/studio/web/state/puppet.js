@@ -12,7 +12,7 @@
  * @property {string} text
  * @property {Partial<Walk>} [walk] while the key is held
  * @property {string} [motion] performed once
- * @property {[number, number]} [look] degrees by which the head turns to the left and up
+ * @property {[number, number]} [look] degrees by which the head turns left and up
  */
 
 /** @type {PuppetKey[]} */

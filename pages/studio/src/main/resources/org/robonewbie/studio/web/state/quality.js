@@ -1,5 +1,5 @@
 /**
- * Adaptive rendering quality: adjusts the level to the measured frame time, so that motion stays smooth on slow computers. Pure.
+ * Adaptive rendering quality: adjusts the quality level to the measured frame time to keep motion smooth on slow computers. Pure.
  *
  * @typedef {'fine' | 'coarse' | 'tiny'} Detail
  *
@@ -7,12 +7,12 @@
  * @property {string} name
  * @property {number} pixelRatio maximum number of rendered pixels per page pixel
  * @property {boolean} glossy whether surfaces have reflections
- * @property {boolean} shadows whether the sun casts shadows, unless the user decides
+ * @property {boolean} shadows whether the sun casts shadows, unless set by the user
  * @property {boolean} smooth whether pictures are interpolated between two frames of the simulation
- * @property {Detail} nearDetail level of detail of near robots
+ * @property {Detail} nearDetail level of detail of nearby robots
  * @property {Detail} farDetail level of detail of the others
- * @property {number} nearMetres distance limit of near robots
- * @property {number} maxNear maximum number of near robots
+ * @property {number} nearMetres maximum distance of nearby robots
+ * @property {number} maxNear maximum number of nearby robots
  */
 
 /** @type {Quality} */
@@ -55,7 +55,7 @@ const TOO_SLOW_MILLISECONDS = 45;
 const EASY_MILLISECONDS = 21;
 const EASY_ROUNDS = 5;
 
-/** Number of fast measurement rounds after which a level that was too slow is tried again; doubled after each failure. */
+/** Number of consecutive fast rounds after which a level that was too slow is tried again; doubled after each failure. */
 const FORGIVING_ROUNDS = 30;
 
 /**

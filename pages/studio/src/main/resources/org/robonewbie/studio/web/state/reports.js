@@ -8,7 +8,7 @@ export function phaseWithoutLine(phase) {
 }
 
 /**
- * Describes the state of the process in one sentence.
+ * Describes the state of the process in a sentence.
  *
  * @param {{phase: Phase, refusal: string}} report
  * @param {{waiting: string, running: string, lost: string, ended: string}} words

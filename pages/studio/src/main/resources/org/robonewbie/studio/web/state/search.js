@@ -16,14 +16,14 @@ import { phaseSentence, phaseWithoutLine } from './reports.js';
 /**
  * @typedef {object} Search
  * @property {import('./reports.js').Phase} phase
- * @property {string} refusal why the page was refused
+ * @property {string} refusal why the connection was rejected
  * @property {Task | undefined} task
  * @property {readonly Round[]} rounds
  * @property {readonly SearchedNumber[]} numbers
  * @property {number | undefined} before objective value with the initial numbers
  * @property {number | undefined} after objective value with the numbers found
  * @property {string} outcome
- * @property {string} place end of the address at which the current state is shown
+ * @property {string} place end of the address of the live view of the current state
  */
 
 /** @returns {Search} */

@@ -1,6 +1,6 @@
 /**
- * Interpolation between frames: frames arrive 25 times per second, pictures are drawn up to 60 times. The picture lags by one frame
- * interval. Pure.
+ * Interpolation between frames: frames arrive 25 times per second, whereas pictures are drawn up to 60 times per second. The picture lags
+ * by one frame interval. Pure.
  */
 
 /**
@@ -50,7 +50,7 @@ export class Smoothing {
   }
 
   /**
-   * Returns whether the picture still changes without a new frame.
+   * Returns whether the picture is still changing without a new frame.
    *
    * @param {number} now milliseconds
    */
@@ -116,7 +116,7 @@ export function blendPose(from, to, part) {
 }
 
 /**
- * Returns whether an object was repositioned, for instance by a beam command, rather than moved.
+ * Returns whether an object has been repositioned, for instance by a beam command, instead of moving there.
  *
  * @param {ArrayLike<number>} from its pose
  * @param {ArrayLike<number>} to

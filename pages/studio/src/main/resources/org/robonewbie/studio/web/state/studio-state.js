@@ -1,4 +1,4 @@
-/** Immutable state of the studio. Pure functions: each message returns a new state, from which the panels read what they show. */
+/** Immutable state of the studio. Pure functions: each message results in a new state, which the panels display. */
 import { CYCLE_SECONDS } from './cycle.js';
 import { playModeText } from './play-mode.js';
 
@@ -8,7 +8,7 @@ import { playModeText } from './play-mode.js';
  *
  * @typedef {object} StudioState
  * @property {'opening' | 'live' | 'lost'} connection
- * @property {string} refusal why the simulator refused this page, empty if it did not
+ * @property {string} refusal why the simulator rejected this page; empty if it did not
  * @property {Scene | undefined} scene
  * @property {Frame | undefined} frame
  * @property {number} movedMilliseconds time of the last change of the cycle, on the page's clock
@@ -31,7 +31,7 @@ const CHEER_MILLISECONDS = 4000;
 
 /** Default agent port. */
 const DEFAULT_AGENT_PORT = 3100;
-/** Port of a world that only programs of the page itself can join. */
+/** Port of a world that only the page's own programs can join. */
 const NO_PORT = 0;
 
 /** Selectable speeds; 'fastest' does not wait between cycles. */
@@ -69,7 +69,7 @@ export function withoutConnection(state) {
 
 /**
  * @param {StudioState} state
- * @param {string} refusal why the simulator refused this page
+ * @param {string} refusal why the simulator rejected this page
  * @returns {StudioState}
  */
 export function withRefusal(state, refusal) {
@@ -143,11 +143,11 @@ function lastGoal(state, frame, now) {
  */
 
 /**
- * Returns the message to the user if there is nothing to see or nothing moves.
+ * Returns the message to the user if there is nothing to see or nothing is moving.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
- * @param {boolean} [inExercises] whether the exercises are open beside the field
+ * @param {boolean} [inExercises] whether the exercises are open next to the field
  * @returns {Message | undefined}
  */
 export function message(state, now, inExercises = false) {

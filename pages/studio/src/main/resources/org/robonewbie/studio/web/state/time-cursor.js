@@ -28,7 +28,7 @@ import { LiveHistory } from './live-history.js';
 export class TimeCursor {
   constructor() {
     this.history = new LiveHistory();
-    /** The shown cycle of the running simulation; undefined for the present. @type {number | undefined} */
+    /** The displayed cycle of the running simulation; undefined for the present. @type {number | undefined} */
     this.cycle = undefined;
     /** @type {RecordedMoment | undefined} */
     this.recorded = undefined;
@@ -40,7 +40,7 @@ export class TimeCursor {
     this.cycle = undefined;
   }
 
-  /** Shows the present. */
+  /** Returns to the present. */
   goLive() {
     this.cycle = undefined;
     this.recorded = undefined;

@@ -37,9 +37,9 @@ export class TrialGhost {
   }
 
   /**
-   * Returns the same moment of the previous trial, preferably of one with the same seed because it started identically.
+   * Returns the same moment of the previous trial, preferably of the one with the same seed, which started identically.
    *
-   * @param {Scene | undefined} scene @param {Frame | undefined} frame shown moment
+   * @param {Scene | undefined} scene @param {Frame | undefined} frame displayed moment
    * @returns {{scene: Scene, frame: Frame} | undefined}
    */
   beside(scene, frame) {

@@ -93,7 +93,7 @@ export function zoomedTo(view, factor, point) {
  */
 
 /**
- * Moves the camera as near as possible while all points stay visible.
+ * Moves the camera as close as possible while keeping all points visible.
  *
  * @param {ViewPoint} view
  * @param {readonly number[][]} points
@@ -154,7 +154,7 @@ const FRONT_RIGHT_DEGREES = 50;
 const ROBOT_ELEVATION_DEGREES = 13;
 
 /**
- * Returns the point of a robot that the camera looks at.
+ * Returns the point of a robot on which the camera is centred.
  *
  * @param {ArrayLike<number>} torso pose of its torso
  */
@@ -182,7 +182,7 @@ export function robotView(centre, headingDegrees, { across, up }) {
 }
 
 /**
- * Returns the outermost points of a standing robot as the camera sees it.
+ * Returns the outermost points of a standing robot as seen from the camera.
  *
  * @param {ViewPoint} view
  * @returns {number[][]}

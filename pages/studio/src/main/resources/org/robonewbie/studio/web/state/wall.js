@@ -24,7 +24,7 @@ import { clock } from './studio-state.js';
  *
  * @typedef {object} Wall
  * @property {import('./reports.js').Phase} phase
- * @property {string} refusal why the page was refused
+ * @property {string} refusal why the connection was rejected
  * @property {string} title
  * @property {string} rule
  * @property {string} outcome

@@ -7,7 +7,7 @@
  * @typedef {import('./editor-state.js').EditorState} EditorState
  *
  * @typedef {object} Balanced
- * @property {number[]} posture unchanged if it was balanced or cannot be balanced
+ * @property {number[]} posture unchanged if it was already balanced or cannot be balanced
  * @property {'before' | 'now' | 'never'} when
  * @property {string} reason why it cannot be balanced
  *
@@ -110,7 +110,7 @@ function shiftedOver(body, posture, torso) {
 }
 
 /**
- * Returns the displacement that moves the centre of mass away from edges that are too near.
+ * Returns the displacement that moves the centre of mass away from edges that are too close.
  *
  * @param {Balance} balance
  * @returns {[number, number]} metres
@@ -143,7 +143,7 @@ function slipOf(before, after) {
 }
 
 /**
- * Explains why the robot cannot be balanced by its legs; only a robot on its feet can.
+ * Explains why the legs cannot balance the robot; this is possible only for a robot on its feet.
  *
  * @param {Body} body
  * @param {Float64Array} poses

@@ -1,5 +1,5 @@
 /**
- * Checks a motion for what a robot cannot perform, and returns the findings as marks for the timeline. Pure.
+ * Checks whether a robot can perform a motion, and returns the findings as marks for the timeline. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -23,8 +23,8 @@ const MAX_SAMPLES = 160;
 const SPEED_TOLERANCE = 1.001;
 
 /**
- * Marks joints that exceed the motors' speed, and angles out of range. The transition to the first keyframe is not checked, because the
- * robot's posture before the motion is unknown.
+ * Marks joints that exceed the speed of their motors, and angles out of range. The transition to the first keyframe is not checked, because
+ * the robot's posture before the motion is unknown.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames
@@ -53,7 +53,7 @@ export function jointMarks(body, frames) {
 }
 
 /**
- * Samples the motion for self-collisions and for moments that are not statically balanced.
+ * Samples the motion for self-collisions and for postures that are not statically balanced.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames

@@ -48,7 +48,7 @@ export function writeCsv(frames, { joints }) {
  * @param {Body} body
  * @param {readonly number[]} start angles of joints that the table lacks
  * @returns {Imported}
- * @throws {Error} if the header names no time or no joint, or is ambiguous; the message is meant for the user
+ * @throws {Error} if the header has no time or joint column, or is ambiguous; the message is meant for the user
  */
 export function readCsv(text, body, start) {
   const table = tableOf(rowsOf(text));
@@ -76,7 +76,7 @@ export function readCsv(text, body, start) {
   return { document, notes: [...signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }
 
-/** @param {string} text @returns {boolean} whether it starts like the table of a motion */
+/** @param {string} text @returns {boolean} whether it starts like a motion table */
 export function isTable(text) {
   try {
     return tableOf(rowsOf(text)).timeAt >= 0;

@@ -15,10 +15,10 @@
  * @property {string} name file name, empty for an untitled motion
  * @property {string} draft draft name of an untitled motion, empty without a draft
  * @property {string} version version of the file on the disk, empty if it does not exist
- * @property {MotionDocument} saved what is on the disk or in the library
+ * @property {MotionDocument} saved document on the disk or in the library
  * @property {import('./history.js').History<MotionDocument>} history
  * @property {number} first anchor of a range selection
- * @property {number} last the keyframe selected last, at the playhead
+ * @property {number} last the most recently selected keyframe, at the playhead
  * @property {readonly number[]} chosen all selected keyframes
  * @property {readonly number[]} rows the selected joints of these keyframes, empty for all
  * @property {number} time time of the playhead, milliseconds
@@ -32,7 +32,7 @@
  * @property {number[]} start posture before the motion
  * @property {Trial | undefined} trial
  * @property {boolean} watching whether the robot of the trial is shown rather than the plan
- * @property {boolean} alone whether moved keyframes leave those after them in place
+ * @property {boolean} alone whether moving keyframes leaves later ones in place
  * @property {'rows' | 'curves'} layout layout of the timeline
  * @property {import('./time-view.js').TimeView} view the part of the motion that the timeline shows
  */
@@ -126,7 +126,7 @@ export function withFile(state, { name, draft = '', version, document, recovered
  * @param {EditorState} state
  * @param {string} name
  * @param {string} version
- * @param {MotionDocument} document what was written
+ * @param {MotionDocument} document document that was saved
  * @returns {EditorState}
  */
 export function withSaved(state, name, version, document) {
@@ -208,7 +208,7 @@ export function postureNow(state) {
 }
 
 /**
- * Adds an undo step; a change without effect adds none, so that each undo is visible.
+ * Adds an undo step; a change without effect adds none, so that each undo has a visible effect.
  *
  * @param {EditorState} state
  * @param {MotionDocument} document

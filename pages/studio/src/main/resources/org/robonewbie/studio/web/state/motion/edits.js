@@ -100,8 +100,8 @@ function straightened(state) {
  *
  * @param {EditorState} state
  * @param {number} by milliseconds, negative for earlier
- * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] `alone`: whether later keyframes stay in place; `base`
- *     and `gesture`: for a drag, the motion when it began and the name of the gesture
+ * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] `alone`: whether later keyframes stay in place; `base` and
+ *     `gesture`: for a drag, the motion before it and the name of the gesture
  * @returns {EditorState}
  */
 export function moved(state, by, { alone = state.alone, base = documentOf(state), gesture = '' } = {}) {
@@ -113,12 +113,12 @@ export function moved(state, by, { alone = state.alone, base = documentOf(state)
 }
 
 /**
- * Turns joints by the same amount in all selected keyframes, as far as all ranges allow.
+ * Turns joints by the same amount in all selected keyframes, as far as all joint ranges allow.
  *
  * @param {EditorState} state
  * @param {readonly number[]} joints
  * @param {number} by degrees
- * @param {{base?: MotionDocument, gesture?: string}} [how] for a drag, the motion when it began and the name of the gesture
+ * @param {{base?: MotionDocument, gesture?: string}} [how] for a drag, the motion before it and the name of the gesture
  * @returns {EditorState}
  */
 export function turnedBy(state, joints, by, { base = documentOf(state), gesture = '' } = {}) {

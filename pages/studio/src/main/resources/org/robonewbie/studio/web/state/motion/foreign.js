@@ -1,6 +1,6 @@
 /**
  * Code shared by the readers of other programs' motion files: rows become keyframes, and an unreadable row is kept verbatim with its line
- * number. Counts are verified, so that no angle is assigned to a wrong joint. Pure.
+ * number. Counts are verified, so that no angle is assigned to the wrong joint. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -28,7 +28,7 @@ import { EMPTY_DOCUMENT, newLine } from './motion-text.js';
 
 const MIN_WAY = 20;
 
-/** Thrown for an unreadable row; the message says what was found and what was expected. */
+/** Thrown for an unreadable row; the message states what was found and what was expected. */
 export class UnreadableRow extends Error {}
 
 /** @param {string} text @returns {Row[]} the non-empty rows */
@@ -100,7 +100,7 @@ function placesText([first, ...others]) {
  * @param {readonly string[]} written names of all angle columns; empty for an ignored one
  * @param {(name: string) => Column | undefined} columnOf
  * @returns {Columns}
- * @throws {Error} if none is a joint, one has no name, or two are the same joint; the message is meant for the user
+ * @throws {Error} if no column is a joint, a column has no name, or two columns are the same joint; the message is meant for the user
  */
 export function columnsOf(row, written, columnOf) {
   const names = withoutEmptyEnd(written);
@@ -123,7 +123,7 @@ export function columnsOf(row, written, columnOf) {
   return { names, columns };
 }
 
-/** @param {Columns} columns @param {Body} body @returns {string[]} remarks about columns and joints without counterpart */
+/** @param {Columns} columns @param {Body} body @returns {string[]} remarks about columns and joints without a counterpart */
 export function columnNotes({ names, columns }, { joints }) {
   const unknown = names.filter((_, i) => !columns[i]);
   const named = new Set(columns.map((column) => column?.joint));

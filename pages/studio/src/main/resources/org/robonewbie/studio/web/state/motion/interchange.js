@@ -1,5 +1,5 @@
 /**
- * Import and export of motion files of other programs. Pure.
+ * Import and export of other programs' motion files. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
@@ -20,7 +20,7 @@ import { readNet, writeNet } from './motion-net.js';
 import { parse, textOf } from './motion-text.js';
 import { readWebots, writeWebots } from './webots.js';
 
-/** Extensions that can be imported. */
+/** Extensions of files that can be imported. */
 export const ENDINGS = '.motion,.mef,.txt,.csv,.tsv';
 
 /** @type {Format[]} */
@@ -61,7 +61,7 @@ export const FORMATS = [
 export const MAX_BYTES = 2 * 1024 * 1024;
 
 /**
- * Reads a motion file; the format is detected by its name and its first line.
+ * Reads a motion file; the format is detected from its name and first line.
  *
  * @param {string} name name of the file
  * @param {Uint8Array} bytes content
@@ -84,7 +84,7 @@ export function readMotion(name, bytes, body, start) {
   }
 }
 
-/** @param {MotionDocument} document @returns {string} why it has no effect; empty if it has one */
+/** @param {MotionDocument} document @returns {string} why the motion has no effect; empty if it has an effect */
 function nothingIn({ lines }) {
   const at = lines.findIndex((line) => line.problem);
   const found = lines[at]?.problem;

@@ -20,7 +20,7 @@
 import { postureOfHinges } from './body.js';
 import { postureAt } from './timing.js';
 
-/** Lag in degrees from which a joint is marked. */
+/** Lag in degrees above which a joint is marked. */
 export const LATE_DEGREES = 5;
 
 const TORSO_NUMBERS = 7;

@@ -1,5 +1,5 @@
 /**
- * Moves from mark to mark of the timeline. Pure.
+ * Moves from mark to mark on the timeline. Pure.
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  * @typedef {import('./checks.js').Mark} Mark

@@ -68,7 +68,7 @@ export function withMoved(document, from, to) {
 }
 
 /**
- * Reverses the order of the postures; each transition keeps its duration, the first keyframe keeps its time.
+ * Reverses the order of the postures; each transition keeps its duration, and the first keyframe keeps its time.
  *
  * @param {MotionDocument} document
  * @returns {MotionDocument}

@@ -28,7 +28,7 @@ export const EMPTY_DOCUMENT = { ...UTF_8, lines: [] };
 /**
  * @param {Uint8Array} bytes content of a file
  * @returns {MotionDocument}
- * @throws {import('../decoded-text.js').UndecodableText} if they are not text
+ * @throws {import('../decoded-text.js').UndecodableText} if the bytes are not text
  */
 export function decode(bytes) {
   const { encoding, hasByteOrderMark, content } = decodeText(bytes);
@@ -149,7 +149,7 @@ function wordsOf(text) {
 }
 
 /**
- * Returns the reason why a robot would refuse the motion.
+ * Returns the reason why a robot would reject the motion.
  *
  * @param {MotionDocument} document
  * @returns {string} a message about the first invalid line; empty if there is none

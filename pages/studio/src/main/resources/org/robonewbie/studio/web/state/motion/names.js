@@ -5,7 +5,7 @@ export function jointName(name) {
   return name.toLowerCase().replace('yaw_pitch', 'yaw-pitch').replaceAll('_', ' ');
 }
 
-/** @param {string} name @returns {string} the same without the side, such as “Hip yaw-pitch” */
+/** @param {string} name @returns {string} the name without the side, such as “Hip yaw-pitch” */
 export function shortJointName(name) {
   const text = jointName(name).replace(/^(left|right) /, '');
   return text[0].toUpperCase() + text.slice(1);

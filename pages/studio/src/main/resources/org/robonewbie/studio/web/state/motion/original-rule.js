@@ -10,7 +10,7 @@ import { parse } from './motion-text.js';
 const TWO_CYCLES = 40;
 const ORIGINAL = '// play: 1.1';
 
-/** Header comments, which only motion files newer than RoboNewbie 1.1 have. */
+/** Header comments, found only in motion files newer than RoboNewbie 1.1. */
 const DESCRIBED = /^\s*\/\/\s*(play|columns|measured|does|start|end|ball|made by)\s*:/i;
 
 /** @param {MotionDocument} document @returns {boolean} whether it has no header comments, like the files of RoboNewbie 1.1 */
@@ -35,7 +35,7 @@ export function hasSkippedKeyframes(document) {
   return short.some(isOther) && 2 * short.length <= frames.length;
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} the document, marked for playback by the rule of RoboNewbie 1.1 */
+/** @param {MotionDocument} document @returns {MotionDocument} the document, marked for playback under the rule of RoboNewbie 1.1 */
 export function asOriginal(document) {
   const end = document.lines.find((line) => line.end !== '')?.end ?? '\n';
   return { ...document, lines: [...parse(ORIGINAL + end).lines, ...document.lines] };

@@ -1,5 +1,5 @@
 /**
- * Template postures, and the user's postures in a text file with a name comment before each line. Pure.
+ * Template postures, and the user's own postures: a text file with one posture per line, each below a comment with its name. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  *
@@ -57,7 +57,7 @@ export function readPostures(text) {
 }
 
 /**
- * Saves a posture in the file, replacing the one with its name; all other lines stay, valid or not.
+ * Saves a posture in the file, replacing the one with the same name; all other lines are kept, whether valid or not.
  *
  * @param {string} text
  * @param {NamedPosture} posture

@@ -30,7 +30,7 @@ export function mirrored(body, posture) {
 }
 
 /**
- * Mirrors the change of one side to the other.
+ * Mirrors changes from one side of the body to the other.
  *
  * @param {Body} body
  * @param {Posture} before

@@ -168,7 +168,7 @@ function errorOf(body, posture, torso, { link, local, target, up }) {
 }
 
 /**
- * Performs one iteration. A joint that is at its limit and would move further is excluded, so that the others compensate.
+ * Performs one iteration. A joint that is at its limit and would move beyond it is excluded, so that the others compensate.
  *
  * @param {Body} body
  * @param {number[]} posture

@@ -1,6 +1,6 @@
 /**
- * Moves keyframes in time. Each keyframe stores the duration of its transition, so changing it shifts all later keyframes; a keyframe that
- * moves alone also adjusts the next duration. Pure.
+ * Moves keyframes in time. Each keyframe stores the duration of its transition, so changing it shifts all later keyframes; moving a
+ * keyframe alone also adjusts the next duration. Pure.
  */
 import { CYCLE_MILLIS, wholeCycles } from './motion-document.js';
 
@@ -8,7 +8,7 @@ import { CYCLE_MILLIS, wholeCycles } from './motion-document.js';
  * @param {readonly number[]} ways durations of the transitions, milliseconds
  * @param {readonly number[]} chosen ascending indices of the keyframes to move
  * @param {number} by milliseconds, negative for earlier
- * @param {boolean} alone whether all others keep their time
+ * @param {boolean} alone whether all other keyframes keep their times
  * @returns {number[]} the new durations; the order of keyframes is preserved
  */
 export function retimed(ways, chosen, by, alone) {

@@ -12,7 +12,10 @@ export function chosenFrames(state) {
   return [...state.chosen].filter((index) => index < count).sort((a, b) => a - b);
 }
 
-/** @param {EditorState} state @returns {readonly number[]} the joints that edits change: the selected rows, or the shown joint */
+/**
+ * @param {EditorState} state
+ * @returns {readonly number[]} the joints that edits change: the selected rows, or the joint whose curve is shown
+ */
 export function chosenJoints(state) {
   return state.rows.length > 0 ? state.rows : [state.joint];
 }

@@ -28,7 +28,7 @@ export function shownPart(view, length) {
  * @param {TimeView} view
  * @param {number} length length of the motion, milliseconds
  * @param {number} factor zoom factor; below 1 zooms in
- * @param {number} at the time that keeps its position
+ * @param {number} at the time whose position stays fixed
  * @returns {TimeView}
  */
 export function zoomed(view, length, factor, at) {

@@ -38,7 +38,7 @@ export function postureAt(frames, start, time) {
 /**
  * @param {readonly Keyframe[]} frames
  * @param {number} time
- * @returns {number} index of the next keyframe; the last one after the end; -1 if there are no keyframes
+ * @returns {number} index of the next keyframe, or of the last one after the end; -1 if there are no keyframes
  */
 export function keyframeAt(frames, time) {
   const next = timesOf(frames).findIndex((each) => time <= each + 0.5);

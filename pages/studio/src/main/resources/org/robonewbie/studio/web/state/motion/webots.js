@@ -1,7 +1,7 @@
 /**
- * Webots .motion files, also used with Choregraphe: a header with the joint names on the same line or the next, then a line with time,
- * pose name and angles in radians for each keyframe. Some teams of the league write V1.1, where a row is the word “play”, the
- * angles in radians and the duration in seconds, separated by %. There are two sign conventions: Webots uses the signs and names of NAO's
+ * Webots .motion files, also used with Choregraphe: a header with the joint names on the same line or the next, then a line with time, pose
+ * name and angles in radians for each keyframe. Some league teams write V1.1, where a row consists of the word “play”, the angles in
+ * radians and the duration in seconds, separated by %. There are two sign conventions: Webots uses the signs and names of NAO's
  * documentation, where bent knees and lowered arms are positive; the original motion editor uses the simulator's signs. Pure.
  *
  * @typedef {import('./body.js').Body} Body

@@ -8,7 +8,7 @@
  * @property {string} saved its text on the disk, with the editor's line endings
  * @property {string} content the same text with the line endings of the file
  * @property {import('../decoded-text.js').Source} source its encoding
- * @property {string} problem why it cannot be decoded and is read-only; empty if it can be
+ * @property {string} problem why it cannot be decoded and is therefore read-only; empty if it can be decoded
  *
  * @typedef {object} ReadProgram
  * @property {import('../decoded-text.js').DecodedText} text
@@ -22,10 +22,10 @@ import { isPortable } from '../file-name.js';
 import { commonLines } from './line-diff.js';
 import { fileName } from './remarks.js';
 
-/** Folders and the name of a class. */
+/** Path of a program: folders and the name of a class. */
 const PROGRAM_PATH = /^(?:[\p{L}_][\p{L}\p{N}_-]{0,79}\/){0,12}[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
 
-/** Storage key of the program opened last. */
+/** Storage key of the most recently opened program. */
 export const LAST_PROGRAM = 'robonewbie-program';
 
 /** Default name of a program. */
@@ -53,7 +53,7 @@ export function normal(text) {
 }
 
 /**
- * Restores the line endings of the file; new lines get the ending of its first line.
+ * Restores the line endings of the file; new lines get the line ending of the first line.
  *
  * @param {OpenFile} file
  * @param {string} text text of the editor
@@ -90,7 +90,7 @@ export function lessonOf(path, lessons) {
   return lessons.find(({ file }) => file === fileName(path));
 }
 
-/** @param {string} hash fragment of the page's address @returns {string} the program that it names, or empty */
+/** @param {string} hash fragment of the page's address @returns {string} the program in it, or empty */
 export function programAt(hash) {
   const [, name = ''] = /^#program\/(.+)$/.exec(hash) ?? [];
   return decodeURIComponent(name);
@@ -106,7 +106,7 @@ export function isProgramPath(path) {
   return PROGRAM_PATH.test(path) && path.split('/').every(isPortable);
 }
 
-/** @param {string} name class name typed by the user @returns {string} its problem; empty if it is valid */
+/** @param {string} name class name typed by the user @returns {string} the problem with it; empty if it is valid */
 export function classNameProblem(name) {
   const letters = name.replace(/\.java$/, '');
   const wrong = [...letters].find((letter, i) => !(i === 0 ? /[\p{L}_$]/u : /[\p{L}\p{N}_$]/u).test(letter));
@@ -120,7 +120,7 @@ export function classNameProblem(name) {
 /**
  * @param {string} wanted
  * @param {ReadonlyArray<{path: string}>} files
- * @returns {string} the name, with a number appended if it is taken; compared case-insensitively, as on many disks
+ * @returns {string} the name, with a number appended if it is taken; compared case-insensitively, as in many file systems
  */
 export function freeName(wanted, files) {
   const taken = new Set(files.map(({ path }) => path.toLowerCase()));
@@ -133,7 +133,7 @@ export function freeName(wanted, files) {
 }
 
 /**
- * Returns the folder for new programs, which is that of the existing ones.
+ * Returns the folder for new programs, which is the folder of the existing ones.
  *
  * @param {ReadonlyArray<{path: string}>} files
  * @returns {string} a folder with a trailing slash, or empty

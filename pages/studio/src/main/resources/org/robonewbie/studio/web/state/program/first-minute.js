@@ -1,5 +1,5 @@
 /**
- * Three levels of a minute each for a newcomer: which one is next, and what its program still lacks. Pure.
+ * Three one-minute levels for newcomers: determines the next level and the changes that its program still lacks. Pure.
  *
  * @typedef {object} Level
  * @property {string} name
@@ -25,12 +25,12 @@
 export const SKIPPED = 'robonewbie-first-minute-skipped';
 
 /**
- * Returns the next level of a newcomer, who has neither progress in the exercises nor programs other than those of the levels, and whose
- * studio was not opened by a running program.
+ * Returns the next level for a newcomer: a user with no progress in the exercises and no programs other than those of the levels, in a
+ * studio that was not opened by a running program.
  *
  * @param {Course} course
  * @param {{open: boolean, own: ReadonlyArray<{path: string}>, drafts: ReadonlyArray<{path: string}>, first?: object}} programs
- * @returns {Level | undefined} undefined for anyone else
+ * @returns {Level | undefined} undefined for all other users
  */
 export function nextLevel({ lessons, firstMinute }, { open, own, drafts, first }) {
   const levels = firstMinute?.levels ?? [];
@@ -40,7 +40,7 @@ export function nextLevel({ lessons, firstMinute }, { open, own, drafts, first }
 }
 
 /**
- * Returns the first change that a program lacks.
+ * Returns the first change that a program still lacks.
  *
  * @param {string} text
  * @param {Level} level
@@ -85,7 +85,7 @@ function changed({ from, text }, before, after) {
   return { from: from + start + indent, to: to - rest, insert: after.slice(start, after.length - rest), line };
 }
 
-/** Returns the length of the equal words at the beginning. @param {string} one @param {string} other */
+/** Returns the length of the common words at the beginning. @param {string} one @param {string} other */
 function sameWords(one, other) {
   const words = one.split(/\b/);
   const others = other.split(/\b/);

@@ -1,7 +1,7 @@
 /**
- * Line-by-line comparison of two texts. Pure.
+ * Line-by-line comparison of two versions of a file. Pure.
  *
- * @typedef {{sign: ' ' | '−' | '+', text: string}} DiffLine a line that is in both texts, only in the first, or only in the second
+ * @typedef {{sign: ' ' | '−' | '+', text: string}} DiffLine a line that is in both versions, only in the first, or only in the second
  */
 /** Maximum number of cells in the table of the longest common subsequence. */
 const MAX_CELLS = 1_000_000;
@@ -20,7 +20,7 @@ export function lineDiff(before, after) {
   ];
 }
 
-/** Returns the number of equal lines at the beginning. @param {readonly string[]} before @param {readonly string[]} after */
+/** Returns the number of common lines at the beginning. @param {readonly string[]} before @param {readonly string[]} after */
 export function commonLines(before, after) {
   const first = after.findIndex((line, i) => line !== before[i]);
   return first < 0 ? after.length : first;
@@ -29,7 +29,12 @@ export function commonLines(before, after) {
 /** @param {DiffLine['sign']} sign @param {readonly string[]} lines @returns {DiffLine[]} */
 const signed = (sign, lines) => lines.map((text) => ({ sign, text }));
 
-/** Compares by a longest common subsequence; long texts count as wholly different. @param {string[]} before @param {string[]} after */
+/**
+ * Compares lines by their longest common subsequence; if there are too many lines, all of them count as different.
+ *
+ * @param {string[]} before
+ * @param {string[]} after
+ */
 function middle(before, after) {
   if (before.length * after.length > MAX_CELLS) {
     return [...signed('−', before), ...signed('+', after)];
@@ -54,7 +59,12 @@ function middle(before, after) {
   return lines;
 }
 
-/** Returns the length of the longest common subsequence of the lines from i and those from j. @param {string[]} before @param {string[]} after */
+/**
+ * Returns the length of the longest common subsequence of the lines from i on and those from j on.
+ *
+ * @param {string[]} before
+ * @param {string[]} after
+ */
 function commonLengths(before, after) {
   const lengths = Array.from({ length: before.length + 1 }, () => new Uint32Array(after.length + 1));
   for (let i = before.length - 1; i >= 0; i -= 1) {

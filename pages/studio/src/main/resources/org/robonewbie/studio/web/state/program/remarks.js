@@ -1,5 +1,5 @@
 /**
- * Diagnostics from compiler and robot for lines of a program. Pure.
+ * Diagnostics from the compiler and the robot for individual lines of a program. Pure.
  *
  * @typedef {object} Remark compiler diagnostic
  * @property {number} from index of the first character, -1 for the whole line
@@ -33,7 +33,7 @@ export function lineOf(text, path) {
 }
 
 /**
- * Adds a runtime error; it replaces the previous one of its line.
+ * Adds a runtime error, replacing any previous one on the same line.
  *
  * @param {readonly Mistake[]} mistakes
  * @param {Mistake} mistake

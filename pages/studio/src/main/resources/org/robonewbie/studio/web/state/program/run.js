@@ -22,7 +22,7 @@ export function isUnderWay({ state }) {
 
 /**
  * @param {ProgramRun} run
- * @param {string} [example] name of the running example whose copy the program is to become, empty for none
+ * @param {string} [example] name of the running example that will be copied to the program; empty for none
  * @returns {string} its state, as a sentence
  */
 export function runText(run, example = '') {
@@ -53,10 +53,10 @@ function endText(name, { output, exitCode }) {
 }
 
 /**
- * Finds the error that ended a program, which is in its output only.
+ * Finds the error that ended a program, which appears only in the program's output.
  *
  * @param {ProgramRun} run
- * @returns {import('./remarks.js').Mistake | undefined} undefined if no line of the program is known to have ended it
+ * @returns {import('./remarks.js').Mistake | undefined} undefined if the line that caused it is unknown
  */
 export function crashOf({ state, program, output, exitCode }) {
   const at = state === 'ENDED' && exitCode !== 0 ? output.search(CRASH) : -1;
@@ -72,7 +72,7 @@ export function crashOf({ state, program, output, exitCode }) {
  * Removes from the output of a program the lines that its robot has also reported by telemetry, and those about joining the server.
  *
  * @param {string} output
- * @param {ReadonlySet<string>} reports texts of the warnings and errors in the robot's log
+ * @param {ReadonlySet<string>} reports messages of the warnings and errors in the robot's log
  * @returns {string}
  */
 export function withoutReports(output, reports) {
@@ -83,7 +83,7 @@ export function withoutReports(output, reports) {
 /**
  * Finds the robot of the program.
  *
- * @param {string} known key of the program's robot so far
+ * @param {string} known key of the program's robot, if already known
  * @param {readonly string[]} before keys of the robots on the pitch before the first start
  * @param {readonly string[]} now keys of the robots on the pitch
  * @param {boolean} [entersFirst] whether the program started on an empty pitch

@@ -32,7 +32,7 @@ export function numberText(value) {
  * @param {string} text text of the program
  * @param {string} name name of the number
  * @param {number} value
- * @returns {string | undefined} the text; undefined if the value is not a number literal there
+ * @returns {string | undefined} the new text; undefined if the default value is not a number literal
  */
 export function withDefault(text, name, value) {
   const declared = new RegExp(

@@ -1,11 +1,11 @@
-/** Plotted values at the lines that plot them. Pure. */
+/** Plotted values, shown at the lines that plot them. Pure. */
 
 const PLOT = /\bplot\(\s*"([^"\\]+)"/g;
 
 /**
  * @param {string} text text of the program
  * @param {ReadonlyMap<string, number>} values values by name
- * @returns {Array<{line: number, text: string}>} texts for the ends of lines, in ascending order
+ * @returns {Array<{line: number, text: string}>} labels for the ends of lines, in ascending order
  */
 export function valuesAtLines(text, values) {
   return text.split('\n').flatMap((line, i) => {
@@ -17,7 +17,7 @@ export function valuesAtLines(text, values) {
   });
 }
 
-/** @param {number} value @returns {string} the value with as many digits as are readable while it changes */
+/** @param {number} value @returns {string} the value with few enough digits to be readable while it changes */
 export function valueText(value) {
   return Number.isInteger(value) ? String(value) : Number(value.toPrecision(4)).toString();
 }

@@ -1,5 +1,6 @@
 /**
- * The history of a program: the last twenty texts saved under its name, each different from the one before. It outlives the file. Pure.
+ * The history of a program: the last twenty versions saved under its name, each different from the previous one. The history outlives the
+ * file. Pure.
  *
  * @typedef {object} Version
  * @property {number} time when it was saved, in milliseconds; 0 if another program saved it
@@ -7,7 +8,7 @@
  */
 
 export const MAX_VERSIONS = 20;
-/** Longer texts are not kept. */
+/** Longer programs are not kept. */
 const MAX_CHARACTERS = 50_000;
 
 const UNITS = /** @type {const} */ ([
@@ -26,7 +27,8 @@ export function versionsFrom(stored) {
 /**
  * @param {Version[]} versions oldest first
  * @param {Version} version
- * @returns {Version[]} the versions with this one, without the oldest if they are too many; unchanged if the last one has the same text
+ * @returns {Version[]} the versions including the new one, without the oldest if there are too many; unchanged if the latest one has the
+ *     same text
  */
 export function withVersion(versions, version) {
   return versions.at(-1)?.text === version.text || version.text.length > MAX_CHARACTERS

@@ -1,4 +1,4 @@
-/** Commanded speeds of all robots in one recorded cycle, packed in one array to save memory. Pure. */
+/** Commanded speeds of all robots in one recorded cycle, packed into one array to save memory. Pure. */
 
 const MAX_HINGES = 24;
 

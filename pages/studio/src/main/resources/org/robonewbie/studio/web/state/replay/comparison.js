@@ -1,13 +1,13 @@
 /**
- * Comparison of two runs: the second one is shown as ghosts, and their distances are computed. Moments are paired by their time since the
- * start. Pure.
+ * Comparison of two runs: the robots of the second run are shown as ghosts, and the distances between the runs are computed. Moments are
+ * paired by the time since the start of each run. Pure.
  *
  * @typedef {import('../../live/state-frame.js').Scene} Scene
  * @typedef {import('../../live/state-frame.js').Frame} Frame
  * @typedef {{scene: Scene, frame: Frame}} Picture
  */
 
-/** Distance up to which two paths agree; they are stored in hundredths of a metre. */
+/** Distance up to which two paths count as equal; they are stored in hundredths of a metre. */
 const MIN_METRES = 0.011;
 
 /**

@@ -1,5 +1,5 @@
 /**
- * Reads the notes of a recording: log lines, which become events of the time line, and drawings. Pure.
+ * Reads the notes of a recording: log lines, which become events on the timeline, and drawings. Pure.
  *
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  */
@@ -9,7 +9,7 @@ const WARNINGS = ['WARNING', 'ERROR'];
 
 /**
  * @param {string} lines one line of JSON per log entry and per set of drawings
- * @param {number} firstCycle the cycle of the recording's first moment
+ * @param {number} firstCycle cycle of the first moment of the recording
  * @returns {RecordedEvent[]} the events; incomplete lines are skipped
  */
 export function notesOf(lines, firstCycle) {

@@ -1,16 +1,15 @@
 /**
- * A recording of any length: its pieces are loaded on demand and evicted when others are needed (LRU cache). Pure except for the given
- * loader.
+ * A recording of any length: its pieces are loaded on demand into an LRU cache. Pure except for the given loader.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  * @typedef {import('../../live/state-frame.js').Player} Player
  *
- * @typedef {object} Growth state of a recording, or its new part
+ * @typedef {object} Growth state of a recording, or the part added to it
  * @property {number} count number of moments
- * @property {boolean} whole whether all of it has been examined
+ * @property {boolean} whole whether the entire recording has been indexed
  * @property {RecordedEvent[]} events
- * @property {number[]} pieces the first moment of each piece
+ * @property {number[]} pieces index of the first moment of each piece
  *
  * @typedef {object} Summary
  * @property {number} firstCycle
@@ -29,7 +28,7 @@ const MAX_PIECES = 36;
 const PAUSE_MILLISECONDS = 1000;
 
 /**
- * Rejects with the problem after a pause, so that a server that did not answer is not asked again immediately.
+ * Rejects with the problem after a pause, so that a request to a server that did not respond is not repeated immediately.
  *
  * @param {unknown} problem
  * @returns {Promise<void>}
@@ -37,7 +36,7 @@ const PAUSE_MILLISECONDS = 1000;
 const pause = (problem) => new Promise((_, fail) => setTimeout(() => fail(problem), PAUSE_MILLISECONDS));
 
 export class RecordedRun {
-  /** Loaded pieces, the least recently used first. @type {Map<number, Piece>} */
+  /** Loaded pieces, least recently used first. @type {Map<number, Piece>} */
   #pieces = new Map();
   /** @type {Map<string, Player[]>} */
   #rosters = new Map();
@@ -77,7 +76,7 @@ export class RecordedRun {
     this.starts.push(...pieces);
   }
 
-  /** @param {number} index @returns {Moment | undefined} the moment, if it is loaded; otherwise loading starts */
+  /** @param {number} index @returns {Moment | undefined} the moment if it is loaded; otherwise undefined, and loading starts */
   at(index) {
     const piece = this.#pieceOf(index);
     const moment = this.#pieces.get(piece)?.reader.moments[index - this.starts[piece]];
@@ -97,7 +96,11 @@ export class RecordedRun {
     return this.at(index);
   }
 
-  /** @param {number} index @param {number} reach moments @returns {Moment[]} the loaded moments around it; loading of the others starts */
+  /**
+   * @param {number} index
+   * @param {number} reach moments
+   * @returns {Moment[]} the loaded moments around this one; loading of the others starts
+   */
   around(index, reach) {
     const [from, to] = [Math.max(0, index - reach), Math.min(this.count - 1, index + reach)];
     const moments = [];
@@ -120,7 +123,7 @@ export class RecordedRun {
     }
   }
 
-  /** @param {number} piece @param {number} index shown moment */
+  /** @param {number} piece @param {number} index index of the displayed moment */
   #wantNext(piece, index) {
     const [start, end] = [this.starts[piece], this.#endOf(piece)];
     const neighbour = index - start > (end - start) / 2 ? piece + 1 : piece - 1;

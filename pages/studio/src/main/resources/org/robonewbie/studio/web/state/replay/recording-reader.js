@@ -16,7 +16,7 @@
  * @property {number} gameTime seconds
  * @property {Game} game
  * @property {Player[]} robots
- * @property {CommandedSpeeds} speeds degrees per second by hinge, of each commanded robot
+ * @property {CommandedSpeeds} speeds degrees per second by hinge, for each commanded robot
  * @property {import('./recorded-things.js').RecordedThing[]} [things] other objects on the pitch
  * @property {Int32Array} numbers the ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's units
  *
@@ -36,8 +36,8 @@ const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 export class RecordingReader {
   /**
    * @param {(type: string) => number} hingesOf number of hinges of a robot type
-   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading part of a recording: the rosters known from other
-   *     parts; its first records restore the state
+   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading part of a recording: the rosters known from other parts;
+   *     the first records of the part restore the state
    */
   constructor(hingesOf, part = { rosters: new Map(), isBegun: false }) {
     this.hingesOf = hingesOf;

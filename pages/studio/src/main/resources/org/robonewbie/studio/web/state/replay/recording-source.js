@@ -1,4 +1,4 @@
-/** Primitive values of the recording format, see docs/recording-format.md. Pure. */
+/** Primitive values of the recording format; see docs/recording-format.md. Pure. */
 
 export const MAGIC = 'RoboNewbie recording\n';
 export const VERSION = 1;

@@ -62,7 +62,7 @@ export class RecordingWriter {
     }
   }
 
-  /** Writes all objects again when one has moved, which is rare. @param {Moment} moment */
+  /** Writes all objects again if one of them has moved, which is rare. @param {Moment} moment */
   #standing({ things = [] }) {
     if (things === this.#last?.things || (things.length === 0 && !this.#last?.things?.length)) {
       return;

@@ -9,7 +9,7 @@
  *
  * @typedef {object} ReplayState
  * @property {number} count number of moments
- * @property {number} index index of the shown moment; fractional between two moments
+ * @property {number} index index of the displayed moment; fractional between two moments
  * @property {boolean} playing
  * @property {number} speed
  * @property {[number, number] | undefined} loop first and last moment of the repeated section
@@ -52,7 +52,7 @@ export function advanced(state, seconds) {
 }
 
 /**
- * Toggles the repetition of the two seconds before and after the moment.
+ * Toggles the repetition of the two seconds before and after the current moment.
  *
  * @param {ReplayState} state
  * @returns {ReplayState}
@@ -114,7 +114,7 @@ export function sceneOf(moment, header, models, revision) {
 /**
  * @param {Moment} moment
  * @param {Scene} scene scene of the moment
- * @returns {Frame} frame for the picture
+ * @returns {Frame} frame to draw
  */
 export function frameOf(moment, scene) {
   const { numbers, game } = moment;
@@ -162,7 +162,7 @@ function poseAt(numbers, at) {
 }
 
 /**
- * Repeats the moments of a thinned-out recording, so that it has fifty per second again.
+ * Repeats the moments of a thinned-out recording to restore fifty per second.
  *
  * @param {readonly Moment[]} moments
  * @param {readonly RecordedEvent[]} events
@@ -181,8 +181,8 @@ export function evenly(moments, events) {
 
 /**
  * @param {string} place address fragment of a recording
- * @returns {{name: string, seconds: number | undefined, plays: boolean}} its name, the moment if one is given, and whether to play it
- *     immediately
+ * @returns {{name: string, seconds: number | undefined, plays: boolean}} name of the recording, the moment if one is given, and whether to
+ *     play it immediately
  */
 export function placeOf(place) {
   const text = decodeURIComponent(place.split('/').slice(1).join('/'));

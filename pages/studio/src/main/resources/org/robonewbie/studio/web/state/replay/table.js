@@ -1,5 +1,5 @@
 /**
- * CSV table of a recording: one row per cycle with the main roster, the one present for the longest time. Pure.
+ * CSV table of a recording: one row for each cycle with the main roster, which is the one present for the longest time. Pure.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('../kinematics.js').RobotModel} RobotModel

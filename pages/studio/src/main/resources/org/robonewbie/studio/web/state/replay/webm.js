@@ -6,7 +6,7 @@
  */
 
 const NANOSECONDS_PER_TICK = 1_000_000;
-/** Maximum duration of a cluster, in which timestamps have 16 bits. */
+/** Maximum duration of a cluster, whose timestamps have 16 bits. */
 const MAX_CLUSTER_MILLISECONDS = 30_000;
 const KEY_PICTURE = 0x80;
 const NAME = 'RoboNewbie';

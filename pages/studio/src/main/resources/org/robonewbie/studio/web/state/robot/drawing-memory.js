@@ -2,7 +2,7 @@
 import { DRAWING_SECONDS, keep, latest } from './robot-memory.js';
 import { readTelemetry } from './telemetry.js';
 
-/** Sets of drawings kept per robot: one minute of a robot that draws in every frame of the live view. */
+/** Number of sets of drawings kept per robot: one minute if a robot draws in every frame of the live view. */
 const MAX_PICTURES = 1500;
 
 export class DrawingMemory {
@@ -29,7 +29,7 @@ export class DrawingMemory {
   }
 
   /**
-   * Stores drawings. If they are older than the last ones, time has restarted, and they replace all earlier ones.
+   * Stores drawings. If they are older than the last ones, the simulation has been restarted, and they replace all earlier ones.
    *
    * @param {string} robot
    * @param {number} seconds
@@ -42,10 +42,9 @@ export class DrawingMemory {
     this.pictures.set(robot, kept);
   }
 
-  /**
-   * @param {string} robot its key
+  /** @param {string} robot key of the robot
    * @param {number} seconds
-   * @returns {readonly import('./telemetry.js').Drawing[]} the drawings at that moment
+   * @returns {readonly import('./telemetry.js').Drawing[]} the drawings at that time
    */
   at(robot, seconds) {
     const picture = latest(this.pictures.get(robot) ?? [], seconds);

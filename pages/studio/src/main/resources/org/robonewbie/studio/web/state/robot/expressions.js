@@ -1,11 +1,11 @@
 /**
- * Parser and writer of S-expressions, the syntax of all messages between agents and simulator. Pure.
+ * Parser and writer of S-expressions, the syntax of all messages between agents and the simulator. Pure.
  *
  * @typedef {string | any[]} Expression an atom, or a list of expressions
  */
 
 /**
- * Parses a message; lists without a closing parenthesis end with the message.
+ * Parses a message; lists without a closing parenthesis extend to the end of the message.
  *
  * @param {string} text
  * @returns {Expression[]}

@@ -7,7 +7,7 @@
  * @typedef {object} TrueThing
  * @property {string} name
  * @property {'ball' | 'mate' | 'opponent' | 'post'} kind
- * @property {number[]} position horizontal metres from the torso: forward, left
+ * @property {number[]} position horizontal position relative to the torso in metres: forward, left
  */
 import { headingDegrees, rotated } from '../kinematics.js';
 

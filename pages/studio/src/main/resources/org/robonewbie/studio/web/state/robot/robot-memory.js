@@ -1,5 +1,5 @@
 /**
- * Telemetry and messages of one robot over time, for looking back at the last minutes.
+ * Telemetry and messages of one robot over time, for looking back at the last few minutes.
  *
  * @typedef {import('./telemetry.js').LogLine} LogLine
  * @typedef {import('./telemetry.js').Belief} Belief

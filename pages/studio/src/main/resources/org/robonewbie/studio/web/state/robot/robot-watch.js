@@ -1,4 +1,4 @@
-/** Collects everything about the watched robot at the shown moment of a running simulation or a recording. */
+/** Collects all data about the watched robot at the displayed moment of a running simulation or a recording. */
 import { CYCLE_SECONDS } from '../cycle.js';
 import { readOrders, readSenses } from './senses.js';
 import { recordedTraces } from './recorded-traces.js';
@@ -26,7 +26,7 @@ import { Traces } from './traces.js';
 
 const MARGIN_SECONDS = 20;
 
-/** Number of cycles that plots show before and after the moment. */
+/** Number of cycles shown in plots before and after the current moment. */
 const TRACED_CYCLES = 3000;
 
 export class RobotWatch {
@@ -49,7 +49,7 @@ export class RobotWatch {
     this.recorded = undefined;
   }
 
-  /** Forgets the subscription, which a new connection does not have. */
+  /** Forgets the subscription, because a new connection has none. */
   forget() {
     this.watched = '';
   }

@@ -1,5 +1,5 @@
 /**
- * Interprets messages between a robot and the simulator. Directions are those of the framework: forward, left, up; SimSpark's own axes are
+ * Interprets messages between a robot and the simulator. Vectors use the framework's axes (forward, left, up), whereas SimSpark's axes are
  * right, forward, up. Pure.
  *
  * @typedef {import('./expressions.js').Expression} Expression
@@ -80,7 +80,7 @@ function toBodyFrame([right, forward, up]) {
   return [forward, right === 0 ? 0 : -right, up];
 }
 
-/** Reads a heard message; some servers send the team first. @param {Expression[]} expression */
+/** Reads a message that the robot has heard; some servers send the team first. @param {Expression[]} expression */
 function heard(expression) {
   const at = Number.isNaN(Number(expression[1])) ? 2 : 1;
   const from = String(expression[at + 1]);
@@ -135,7 +135,7 @@ function player(expression) {
  * Reads the commands of an agent.
  *
  * @param {string} message message from the agent
- * @returns {{speeds: Record<string, number>, said: string[]}} speeds in degrees per second by effector, and the texts said
+ * @returns {{speeds: Record<string, number>, said: string[]}} speeds in degrees per second by effector, and the spoken messages
  */
 export function readOrders(message) {
   /** @type {Record<string, number>} */

@@ -77,7 +77,7 @@ export function sensedValues({ gyro, acceleration, feet }) {
 /**
  * @param {RobotModel} model
  * @param {'joint angle' | 'joint speed' | 'commanded speed'} group
- * @param {ArrayLike<number>} numbers numbers by hinge, degrees or degrees per second
+ * @param {ArrayLike<number>} numbers one number per hinge, in degrees or degrees per second
  * @returns {Values}
  */
 export function jointValues({ hinges }, group, numbers) {

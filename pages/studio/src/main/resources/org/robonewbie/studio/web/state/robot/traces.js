@@ -14,12 +14,12 @@ export class Traces {
     this.cycles = [];
     /** @type {Array<Array<number | undefined>>} */
     this.rows = [];
-    /** Incremented by each change. */
+    /** Incremented on each change. */
     this.revision = 0;
   }
 
   /**
-   * Adds values to a cycle. Cycles must be ascending, except for a few late ones.
+   * Adds values to a cycle. Cycles must be added in ascending order, except for a few late ones.
    *
    * @param {number} cycle
    * @param {Iterable<readonly [string, number]>} values
@@ -85,7 +85,7 @@ export class Traces {
   /**
    * @param {string} name
    * @param {number} seconds
-   * @returns {number | undefined} the last value at or before that time
+   * @returns {number | undefined} the latest value at or before that time
    */
   valueAt(name, seconds) {
     const column = this.names.get(name) ?? -1;
