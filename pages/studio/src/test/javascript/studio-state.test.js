@@ -94,7 +94,7 @@ test('states are replaced and never changed', () => {
   assert.deepEqual(before, copy);
 });
 
-test('the score board shows teams, score, time and play mode', () => {
+test('the scoreboard shows teams, score, time and play mode', () => {
   const board = scoreBoard(withFrame(live(), sampleFrame({ gameTime: 75, half: 2, playMode: 1 }), 0), 0);
 
   assert.equal(board.left, 'Blue');
@@ -106,7 +106,7 @@ test('the score board shows teams, score, time and play mode', () => {
   assert.equal(board.playMode, 'Kick-off · Blue');
 });
 
-test('the score board is for two teams, or for goals', () => {
+test('the scoreboard is for two teams, or for goals', () => {
   const alone = withFrame(live(), sampleFrame({ scoreLeft: 0 }), 0);
   const both = { ...sampleScene(), teams: { left: 'Blue', right: 'Red' } };
 
@@ -125,7 +125,7 @@ test('a goal is celebrated for some seconds', () => {
   assert.equal(scoreBoard(goal, 9000).cheers, '');
 });
 
-test('the score board is readable before anything is known', () => {
+test('the scoreboard is readable before anything is known', () => {
   assert.equal(scoreBoard(initialState(), 0).score, '– : –');
 });
 

@@ -114,11 +114,16 @@ for (const [key, name] of [
   });
 }
 
-slow('a picture that stands still has all pixels', async (t) => {
+slow('a moving picture has smooth edges, and one that stands still has all pixels', async (t) => {
   const { user } = await openField(t, { robots: [{}], quality: '', isSharp: true });
   const pixels = () => user.page.$eval('#stage canvas', ({ width, clientWidth }) => width / clientWidth);
   const isMoving = () => user.until(async () => (await pixels()) < 1.5);
   await isMoving();
+  const samples = await user.page.$eval('#stage canvas', (canvas) => {
+    const pen = canvas.getContext('webgl2');
+    return pen.getParameter(pen.SAMPLES);
+  });
+  assert.ok(samples >= 4, `${samples} samples for each pixel`);
 
   await user.clicks('button', '❚❚ Pause');
   await user.until(async () => (await pixels()) === 2);

@@ -208,7 +208,7 @@ function waiting(title, text) {
 }
 
 /**
- * Returns the content of the score board.
+ * Returns the content of the scoreboard.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
