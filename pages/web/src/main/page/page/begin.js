@@ -26,7 +26,7 @@ import { world } from './world-process.js';
 import { WorldQuestions } from './world-questions.js';
 
 const NOT_KEPT =
-  'This browser does not store data for this page, perhaps because this is a private window. Press Download before you close the page, or your work is lost.';
+  'This browser is not saving data for this page, perhaps because this is a private window. Press Download before you close the page, or your work will be lost.';
 
 const NO_ROOM_FOR_SHARED =
   'This browser has no space left for the program in this link. Delete scenes that you do not need, then open the link again.';

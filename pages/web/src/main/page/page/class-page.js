@@ -113,9 +113,7 @@ class ClassPage {
     }
     setText(
       byId('class-count'),
-      received.length === 0
-        ? ''
-        : `${counted(students.length, 'student')}, ${counted(programs.length, 'program')}`,
+      received.length === 0 ? '' : `${counted(students.length, 'student')}, ${counted(programs.length, 'program')}`,
     );
     const entries = received.map((each, index) => ({ received: each, student: senders[index] }));
     const known = entries.filter(({ student }) => student !== '');

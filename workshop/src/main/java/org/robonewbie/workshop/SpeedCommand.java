@@ -105,7 +105,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--pid",
             paramLabel = "N",
-            description = "Process ID of the server if it runs on this computer, to measure its" + " processor time.")
+            description = "Process ID of the server, if it is running on this computer, to measure its processor time.")
     private Optional<Long> processId = Optional.empty();
 
     private boolean begun;

@@ -104,7 +104,7 @@ final class ExperimentCommand implements Callable<Integer> {
             }
             run.failures().forEach(System.err::println);
             System.err.println(run.failures().size()
-                    + " trials failed (see above). To retry them, repeat the command; the other results are kept.");
+                    + " trials failed (see above). To retry them, run the command again; the other results are kept.");
             return ExitCode.SOFTWARE;
         }
     }

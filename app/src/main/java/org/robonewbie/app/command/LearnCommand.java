@@ -120,7 +120,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--evaluate",
             paramLabel = "EPISODES",
-            description = "Evaluate the policy in this many episodes instead of training.")
+            description = "Evaluate the policy over this many episodes instead of training.")
     private @Nullable Integer evaluate;
 
     /** Returns the rules of the tasks for one robot, for the help text. */

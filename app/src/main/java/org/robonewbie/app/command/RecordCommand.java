@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
                     + " explains the columns, how to read them, and how to convert them to Parquet.",
             "Runs use all cores; this does not affect the tables. The table of runs lists each failed run with the"
                     + " reason.",
-            "Repeat the command to resume an interrupted recording."
+            "Run the command again to resume an interrupted recording."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,
@@ -81,7 +81,7 @@ final class RecordCommand implements Callable<Integer> {
     @Option(
             names = "--runs-per-file",
             paramLabel = "N",
-            description = "Combine the tables of N runs in one file (default: 1).")
+            description = "Combine the tables of N runs into one file (default: 1).")
     private int runsPerFile = 1;
 
     @Option(names = "--threads", paramLabel = "N", description = "Number of parallel runs (default: one per core).")
@@ -141,7 +141,7 @@ final class RecordCommand implements Callable<Integer> {
         try {
             set.endEarly();
             System.err.println("robonewbie: The recording was interrupted. " + set.runs() + " of " + runs
-                    + " runs are complete and kept. Repeat the command to resume.");
+                    + " runs are complete and kept. Run the command again to resume.");
         } catch (IOException unwritable) {
             System.err.println("robonewbie: The table of runs cannot be written: " + unwritable.getMessage());
         }
@@ -157,7 +157,7 @@ final class RecordCommand implements Callable<Integer> {
         } else {
             set.endEarly();
             System.err.println(set.runs() + " of " + runs + " runs are complete and kept in the folder " + folder
-                    + ". Repeat the command to retry the missing ones.");
+                    + ". Run the command again to retry the missing ones.");
         }
         set.failures()
                 .forEach(run -> System.err.println("run " + run.run() + ", seed " + run.seed() + ": " + run.failure()));

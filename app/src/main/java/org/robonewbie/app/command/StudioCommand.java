@@ -62,7 +62,7 @@ final class StudioCommand implements Callable<Integer> {
     @Option(
             names = "--monitor",
             paramLabel = "HOST:PORT",
-            description = "Watch the server at this monitor port instead of starting a simulator.")
+            description = "Watch the server on this monitor port instead of starting a simulator.")
     private Optional<String> monitor = Optional.empty();
 
     @Option(

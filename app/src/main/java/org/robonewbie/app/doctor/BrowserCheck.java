@@ -32,6 +32,6 @@ final class BrowserCheck {
                 .orElse(Finding.notable(
                         "Browser",
                         "xdg-open not found",
-                        "Open the printed address of the studio yourself, in Firefox, Chrome, Edge or Safari."));
+                        "Copy the studio's address from the terminal into Firefox, Chrome, Edge or Safari."));
     }
 }

@@ -40,7 +40,7 @@ final class StartTimeCheck {
                 : Finding.notable(
                         SUBJECT,
                         found,
-                        "Exclude the program's folder from the virus scanner, or copy it from the network drive to the disk.");
+                        "Exclude the program's folder from virus scanning, or copy the folder from the network drive to a local disk.");
     }
 
     private static double seconds() throws IOException, InterruptedException {

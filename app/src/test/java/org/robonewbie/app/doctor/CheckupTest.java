@@ -130,7 +130,7 @@ class CheckupTest {
         Finding finding = BrowserCheck.command("Linux", empty.toString());
 
         assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
-        assertThat(finding.advice()).contains("Open the printed address");
+        assertThat(finding.advice()).contains("Copy the studio's address");
     }
 
     @Test

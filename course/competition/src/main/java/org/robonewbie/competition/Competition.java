@@ -109,9 +109,9 @@ public final class Competition {
                             + " reach.");
         }
         String connections = ProcessTree.hasConnections()
-                ? "The origin of connections to each team's port was checked."
-                : "The origin of connections to each team's port was not checked because this system does not report"
-                        + " it.";
+                ? "Connections to each team's port were checked for their origin."
+                : "Connections to each team's port were not checked for their origin, because this system does not"
+                        + " report it.";
         return List.of("Programs ran without a sandbox (" + settings.sandbox().absence() + ").", connections);
     }
 

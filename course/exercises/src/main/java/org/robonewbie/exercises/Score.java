@@ -57,7 +57,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
 
     /** {@return the score of a trial that was skipped because the program hung in an earlier one} */
     public static Score notTried() {
-        return failed(0, "Skipped, because an earlier trial did not end.", "");
+        return failed(0, "Skipped because an earlier trial did not finish.", "");
     }
 
     /**

@@ -57,7 +57,8 @@ class GraderTest {
         assertThat(grade.trials().get(0).score().finding())
                 .contains("think() has not returned for 4 s")
                 .contains("GraderTest.java:");
-        assertThat(grade.trials().get(1).score().finding()).contains("Skipped, because an earlier trial did not end.");
+        assertThat(grade.trials().get(1).score().finding())
+                .contains("Skipped because an earlier trial did not finish.");
     }
 
     @Test

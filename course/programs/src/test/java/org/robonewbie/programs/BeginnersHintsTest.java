@@ -29,7 +29,7 @@ class BeginnersHintsTest {
                 "final int a = 1; a = 2;          | final",
                 "String s = \"a\" - 1;            | Check both sides",
                 "Math.max(1);                     | Compare the number, order and types",
-                "wobbleQuux = 1;                  | This name is unknown here",
+                "wobbleQuux = 1;                  | Java does not recognise this name here",
             })
     void mistakeSaysWhatToDo(String line, String hint) {
         String text = "class A {\n    void think() {\n        " + line.strip() + "\n    }\n}\n";

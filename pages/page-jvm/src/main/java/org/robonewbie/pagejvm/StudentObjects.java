@@ -144,7 +144,7 @@ final class StudentObjects {
         return copy;
     }
 
-    /** Calls {@code Enum.valueOf} for a student's enumeration. */
+    /** Calls {@code Enum.valueOf} for an enum defined by a student. */
     static @Nullable Object staticCall(
             Member method, @Nullable StudentClass owner, @Nullable Object[] arguments, Machine machine) {
         boolean isValueOf = method.name().equals("valueOf") && arguments.length == 2;

@@ -82,7 +82,7 @@ final class Navigation {
                 .findFirst();
     }
 
-    /** Returns the page at an offset from an article in the reading order of its chapter, such as −1 for the previous page. */
+    /** Returns the article that is the given number of steps away in the reading order of the chapter, for example −1 for the previous one. */
     Optional<Article> neighbour(Article article, int steps) {
         List<Article> order = chapterOf(article).map(Chapter::order).orElse(List.of());
         int index = order.indexOf(article) + steps;

@@ -26,7 +26,7 @@ final class PageCourse implements CourseHost, ProgressStore {
 
     private final CourseService service;
     private Starter starter = (exercise, id, trials, judged) -> {
-        throw new IllegalArgumentException("Attempts that use the other program are started by the page.");
+        throw new IllegalArgumentException("The page starts any attempts that use the other program.");
     };
     private ServiceRequest request = new ServiceRequest(new JsonObject());
     private Progress progress = new Progress(Map.of());

@@ -74,8 +74,8 @@ class ExercisesInThePageTest {
     private void assertSameVerdicts(Exercise exercise, List<Long> seeds) {
         String text = Solutions.text(exercise);
         browser.visit(server.address() + "webassembly-loader.js");
-        browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.fileName()) + ", "
-                + Chromium.quoted(text) + ").then((classes) => { window.classes = classes; })");
+        browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.fileName()) + ", " + Chromium.quoted(text)
+                + ").then((classes) => { window.classes = classes; })");
 
         JsonArray judged = browser.evaluate(
                         JUDGE + "judge(" + Chromium.quoted(exercise.name()) + ", " + seeds.size() + ")")

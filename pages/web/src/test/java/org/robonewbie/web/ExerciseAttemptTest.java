@@ -61,7 +61,7 @@ class ExerciseAttemptTest {
 
         assertThat(end.toString())
                 .contains("think() has not returned; it is in RaiseArms.java:3.")
-                .contains("Skipped, because an earlier trial did not end.");
+                .contains("Skipped because an earlier trial did not finish.");
     }
 
     private ExerciseAttempt attempt(Exercise exercise, String text) {

@@ -30,8 +30,7 @@ public final class Solutions {
      */
     public static String text(Exercise exercise) {
         try {
-            return Files.readString(FOLDER.resolve(exercise.fileName()))
-                    .replaceFirst("package [^;]*;\\s*", "");
+            return Files.readString(FOLDER.resolve(exercise.fileName())).replaceFirst("package [^;]*;\\s*", "");
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

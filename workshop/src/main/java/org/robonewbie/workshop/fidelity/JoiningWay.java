@@ -74,7 +74,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
         return place.x() > 0 ? TeamSide.RIGHT : TeamSide.LEFT;
     }
 
-    /** {@return the rotation about the vertical axis of a robot that has just joined and faces the other half} */
+    /** {@return the rotation about the vertical axis of a robot that has just joined and is facing the opponent's half} */
     double yawDegrees() {
         return side() == TeamSide.LEFT ? -90 : 90;
     }

@@ -21,7 +21,7 @@ final class AgentThreads implements AutoCloseable {
     }
 
     /**
-     * Runs one cycle of each agent. Uses only one thread while any message is missing, because an agent that is waiting for its message
+     * Runs one cycle of each agent. Uses only one thread until all messages have arrived, because an agent that is waiting for its message
      * advances the world.
      */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {

@@ -42,7 +42,7 @@ public final class TemporaryFiles {
 
     /** {@return a sentence with advice on choosing another folder} */
     public static String howToChoose() {
-        return "Choose another folder with the environment variable JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER.";
+        return "To use another folder, set the environment variable JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER.";
     }
 
     private static IOException explained(IOException impossible) {

@@ -188,7 +188,7 @@ sealed interface MotionLine {
         }
 
         /**
-         * Explains why this word is not valid as the number with the given zero-based index in its line; returns an
+         * Explains why this word is not a valid number at the given zero-based position in its line; returns an
          * empty string if it is valid.
          */
         String problem(int index) {

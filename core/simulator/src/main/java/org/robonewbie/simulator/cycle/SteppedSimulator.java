@@ -88,7 +88,7 @@ public final class SteppedSimulator implements AutoCloseable {
     /**
      * Connects one of several agents that run on this thread.
      *
-     * @param turn called repeatedly while the agent waits for a message; must let the other agents answer and call {@link #cycle}
+     * @param turn called repeatedly while the agent waits for a message; must let the other agents answer, and must then call {@link #cycle}
      * @return the agent's end of the connection
      */
     public AgentLink connect(Runnable turn) {

@@ -54,7 +54,7 @@ public record Thing(String name, Vector3 size, double massKg, Pose pose) {
         return new Thing(name, size, massKg, now);
     }
 
-    /** {@return whether the thing is movable} */
+    /** {@return whether this object can be moved} */
     public boolean isMovable() {
         return massKg > 0;
     }

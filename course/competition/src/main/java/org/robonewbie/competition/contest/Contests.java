@@ -140,7 +140,7 @@ public final class Contests {
         return new ChallengeContest(
                 "kick",
                 "Longest kick",
-                "Kick the ball as far as possible within 60 s. The distance counts from where the ball left the robot.",
+                "Kick the ball as far as possible within 60 s. The distance is measured from where the ball left the robot.",
                 () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
                 start,
                 MINI_SECONDS,

@@ -94,7 +94,7 @@ public record ProcessGrader(
                         "The program took too long.",
                         student.slowness()
                                 .map(Departure::text)
-                                .orElse("Does it wait for something that never happens?"))
+                                .orElse("Is it waiting for something that never happens?"))
                 : score;
     }
 

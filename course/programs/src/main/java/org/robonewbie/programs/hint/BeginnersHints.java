@@ -62,7 +62,7 @@ final class BeginnersHints {
             new Hint("cant.apply.symbol", "Compare the number, order and types of the arguments with those required."),
             new Hint(
                     "cant.resolve",
-                    "This name is unknown here: check its spelling and capitalisation, or declare it first."),
+                    "Java does not recognise this name here: check its spelling and capitalisation, or declare it first."),
             new Hint("doesnt.exist", "Check the spelling of the import."));
 
     private static final String WRONG_TYPE = "prob.found.req";

@@ -27,7 +27,7 @@ public final class Hints {
      */
     private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
 
-    /** Matches the argument of an import: a package followed by a class or an asterisk. */
+    /** Matches the name in an import declaration: a package followed by a class or an asterisk. */
     private static final Pattern IMPORTED = Pattern.compile("((?:[a-z_]\\w*\\.)+)([A-Z]\\w*|\\*)");
 
     private static final Pattern UNKNOWN_PACKAGE = Pattern.compile("package ([a-z_]\\w*(?:\\.\\w+)*) does not exist");

@@ -191,7 +191,7 @@ final class GaitTraining extends CommandedTraining {
                 : commands.apply(this);
     }
 
-    /** Draws a velocity: forward, backward, sideways, turning in place, standing, or a combination within the limits. */
+    /** Picks a random velocity: forward, backward, sideways, turning in place, zero, or a combination within the limits. */
     private WalkVelocity drawAnyDirection() {
         double kind = draws.nextDouble();
         double forward = draws.nextDouble();

@@ -9,7 +9,7 @@ final class PhysicsConstants {
     /** Default constraint force mixing of a row (ODE: CFM). */
     static final double SOFTNESS = 1e-5;
 
-    /** Penetration depth in metres that is not corrected. */
+    /** Penetration depth, in metres, up to which no correction is applied. */
     static final double CONTACT_SURFACE_LAYER = 0.001;
 
     private PhysicsConstants() {}

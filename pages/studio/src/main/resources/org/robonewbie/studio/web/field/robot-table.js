@@ -7,7 +7,7 @@ import * as THREE from 'three';
 
 const POINTS_PER_LIMB = 3;
 
-/** Shader code that reads the robot's and limb's data. */
+/** Shader code that reads robot and limb data. */
 const READ_TABLE = `
 attribute float limb;
 attribute float robot;

@@ -102,7 +102,7 @@ export function sentence(search) {
   return phaseSentence(search, {
     waiting: 'Waiting for the optimisation …',
     running: search.rounds.length === 0 ? 'The first candidates are being evaluated …' : '',
-    lost: 'To continue an interrupted run, repeat the command with --resume.',
+    lost: 'To continue an interrupted run, run the command again with --resume.',
     ended: search.outcome,
   });
 }

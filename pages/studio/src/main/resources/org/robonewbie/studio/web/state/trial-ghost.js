@@ -37,7 +37,7 @@ export class TrialGhost {
   }
 
   /**
-   * Returns the same moment of the previous trial, preferably of the one with the same seed, which started identically.
+   * Returns the same moment of an earlier trial, preferably one with the same seed, which started identically.
    *
    * @param {Scene | undefined} scene @param {Frame | undefined} frame displayed moment
    * @returns {{scene: Scene, frame: Frame} | undefined}

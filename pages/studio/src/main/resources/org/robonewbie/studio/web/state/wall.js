@@ -98,7 +98,7 @@ export function wallSentence(wall) {
   return phaseSentence(wall, {
     waiting: 'Waiting for the competition …',
     running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials are starting …',
-    lost: 'Repeat the command to continue the competition.',
+    lost: 'Run the command again to continue the competition.',
     ended: `The competition is over. ${wall.outcome}`,
   });
 }

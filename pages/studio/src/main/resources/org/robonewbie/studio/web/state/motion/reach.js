@@ -105,7 +105,7 @@ export function pulled(body, posture, torso, pull) {
 }
 
 /**
- * Solves in small steps along the straight line to the target, so that a fast pointer does not make the joints flip.
+ * Solves for the posture in small steps along a straight line to the target, so that a fast pointer does not make the joints flip.
  *
  * @param {Body} body
  * @param {Posture} posture

@@ -133,7 +133,7 @@ export function freeName(wanted, files) {
 }
 
 /**
- * Returns the folder for new programs, which is the folder of the existing ones.
+ * Returns the folder for new programs, namely the one that contains the existing programs.
  *
  * @param {ReadonlyArray<{path: string}>} files
  * @returns {string} a folder with a trailing slash, or empty
