@@ -168,7 +168,7 @@ class CheckupTest {
     @Test
     void slowStartIsReported() {
         assertThat(StartTimeCheck.of(1.2).verdict()).isEqualTo(Verdict.WELL);
-        assertThat(StartTimeCheck.of(9).advice()).contains("virus scanner");
+        assertThat(StartTimeCheck.of(9).advice()).contains("virus scanning");
         assertThat(StartTimeCheck.measured().found()).contains(" s, the best of 2");
     }
 
