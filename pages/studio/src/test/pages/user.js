@@ -92,6 +92,14 @@ function paste(field, text) {
   field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
 }
 
+/** Returns false if an error is due to the replacement of the page, and throws it otherwise. */
+function falseIfReplaced(error) {
+  if (!/context was destroyed/.test(String(error))) {
+    throw error;
+  }
+  return false;
+}
+
 class User {
   #expected = /^$/;
   #everywhere;
@@ -316,11 +324,15 @@ class User {
     }
   }
 
-  /** Waits until a condition holds, which may be a promise; `what` describes it in the message of a failure. */
+  /**
+   * Waits until a condition holds, which may be a promise; no condition holds in a page that is being replaced. `what` describes it in the
+   * message of a failure.
+   */
   async until(condition, what = () => String(condition)) {
     const end = Date.now() + 1000 * PATIENCE_SECONDS;
+    const holds = async () => condition();
     await this.#told(what(), async () => {
-      while (!(await condition())) {
+      while (!(await holds().catch(falseIfReplaced))) {
         assert.ok(Date.now() < end, `not within ${PATIENCE_SECONDS} s: ${what()}`);
         await new Promise((resolve) => setTimeout(resolve, POLL_MILLIS));
       }

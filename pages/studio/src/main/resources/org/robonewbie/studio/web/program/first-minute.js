@@ -67,10 +67,10 @@ export class FirstMinute {
   opened() {
     const level = this.#shownLevel;
     showGhost(this.room.editor.view, level);
-    if (level) {
-      this.room.editor.view.focus();
-    }
     this.draw();
+    if (level) {
+      (this.#step(level) === 'passed' ? this.next : this.room.editor.view).focus();
+    }
   }
 
   /** Shows what to do next. Call after each change to the program. */
@@ -124,11 +124,11 @@ export class FirstMinute {
   receive(attempt) {
     const level = this.#course.firstMinute?.levels.find(({ name }) => name === attempt.exercise);
     if (level && level === this.#level) {
-      const isNews = attempt.passed && !this.#attempt?.passed;
+      const before = this.#step(level);
       this.#attempt = attempt;
       level.passed ||= attempt.passed;
       this.draw();
-      if (isNews) {
+      if (this.#step(level) === 'passed' && before !== 'passed') {
         showGhost(this.room.editor.view, undefined);
         this.next.focus();
         celebrate();
