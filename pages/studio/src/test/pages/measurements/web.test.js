@@ -24,18 +24,12 @@ public class MyAgent extends Agent {
 }
 `;
 
-/** Returns the memory of the pages and workers in bytes; on Linux only. */
-async function memoryOf(user) {
+/** Prints the memory of the open page, whose process is the largest of its kind; on Linux only. */
+async function reportMemory(t, what, user) {
   const renderers = (await processesOf(user)).filter(({ type }) => type === 'renderer');
   const texts = await Promise.all(renderers.map(({ id }) => readFile(`/proc/${id}/smaps_rollup`, 'utf8')));
-  return texts.reduce((sum, text) => sum + 1024 * Number(/^Pss:\s+(\d+)/m.exec(text)[1]), 0);
-}
-
-/** Prints the memory of an open page: that of all pages less that of an empty one. */
-async function reportMemory(t, what, user) {
-  const all = await memoryOf(user);
-  await user.page.close();
-  report(t, `memory of ${what}: ${((all - (await memoryOf(user))) / 1e6).toFixed(0)} MB`);
+  const kilobytes = Math.max(...texts.map((text) => Number(/^Pss:\s+(\d+)/m.exec(text)[1])));
+  report(t, `memory of ${what}: ${((1024 * kilobytes) / 1e6).toFixed(0)} MB`);
 }
 
 /** Notes the times of the first paint, of the first picture with a robot, and of its 60th cycle. */
@@ -62,6 +56,7 @@ measurement('open: until the robot is in the picture and moves', async (t) => {
     const { user } = await openWebEdition(t, { isSharp: true, before: notesTheRobot });
     times.push(await (await user.page.waitForFunction(() => window.opened)).jsonValue());
     await reportMemory(t, 'field and robot', user);
+    await user.page.close();
   }
   reportTimes(
     t,
@@ -113,14 +108,14 @@ const slides = ({ page }, value) =>
     (wanted) =>
       new Promise((done) => {
         const room = studio.rooms.program;
-        const { hear } = Object.getPrototypeOf(room);
+        const { receive } = Object.getPrototypeOf(room);
         const begin = performance.now();
-        room.hear = (news) => {
+        room.receive = (news) => {
           if (news.lines.some((line) => line.startsWith('plot') && line.endsWith(`\t${wanted}`))) {
-            delete room.hear;
+            delete room.receive;
             done(performance.now() - begin);
           }
-          hear.call(room, news);
+          receive.call(room, news);
         };
         const slider = document.querySelector('#program-sliders input');
         slider.value = wanted;

@@ -125,6 +125,7 @@ picture('a pass of the example team is drawn', async (t) => {
   const user = await newUser(t, { width: 960, height: 640, isSharp: true });
   const address = await startJava(t, await folderWith(t), 'org.robonewbie.studio.StagedPass');
   await user.visits(`${address}&quality=medium&theme=light#field`);
+  await user.clicks('button', '❚❚ Pause');
   const { ball, middle } = await passOf(user);
   await user.presses('1');
 

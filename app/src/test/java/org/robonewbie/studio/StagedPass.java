@@ -47,11 +47,10 @@ final class StagedPass {
     private static final double READY_METRES = 1.3;
     private static final double ALONE_METRES = 0.9;
     private static final int CYCLES_AFTER = 2;
-    private static final int MILLIS_BETWEEN_FRAMES = 100;
 
     private StagedPass() {}
 
-    /** Prints the address of the studio, and shows the pass until the process ends. */
+    /** Prints the address of the studio, which shows the thoughts of the players as soon as its user pauses the match. */
     public static void main(String[] args) throws IOException, InterruptedException {
         MatchOnShow match = new MatchOnShow();
         try (StudioServer studio = StudioServer.start(match, 0, AccessToken.random());
@@ -60,11 +59,10 @@ final class StagedPass {
             for (int i = 0; i < CYCLES_AFTER; i++) {
                 match.step(trial);
             }
+            match.show(trial, studio.telemetry());
+            match.whenOrdered(() -> match.show(trial, studio.telemetry()));
             System.out.println("Watch it at " + studio.oneTimeAddress());
-            while (true) {
-                match.show(trial, studio.telemetry());
-                Thread.sleep(MILLIS_BETWEEN_FRAMES);
-            }
+            Thread.currentThread().join();
         }
     }
 
@@ -105,6 +103,7 @@ final class StagedPass {
 
         private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
         private final List<TelemetryMessage> thoughts = new ArrayList<>();
+        private volatile Runnable ordered = () -> {};
 
         Trial begin() {
             List<RobotStart> robots = new ArrayList<>();
@@ -145,6 +144,10 @@ final class StagedPass {
             thoughts.forEach(viewer::accept);
         }
 
+        void whenOrdered(Runnable action) {
+            ordered = action;
+        }
+
         @Override
         public SoccerField field() {
             return SoccerField.LEAGUE;
@@ -152,7 +155,7 @@ final class StagedPass {
 
         @Override
         public void order(Order order) {
-            // The match goes on by itself.
+            ordered.run();
         }
 
         @Override
