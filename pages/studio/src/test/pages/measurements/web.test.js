@@ -78,12 +78,13 @@ measurement('open: until the robot is in the picture and moves', async (t) => {
 /** Plays a minute in a worker of the page, and returns the milliseconds. */
 const minuteInThePage = ({ page }, seed) =>
   page.evaluate(
-    (given) =>
-      new Promise((done) => {
+    (args) =>
+      new Promise((done, fail) => {
         window.runner ??= new Worker('world-worker.js', { type: 'module' });
         const begin = performance.now();
-        window.runner.onmessage = () => done(performance.now() - begin);
-        window.runner.postMessage({ call: { name: 'recordingSha256', given } });
+        window.runner.onmessage = ({ data }) =>
+          data.result ? done(performance.now() - begin) : fail(new Error(JSON.stringify(data)));
+        window.runner.postMessage({ call: { id: 1, name: 'recordingSha256', args } });
       }),
     ['Agent_BetterSoccer', seed, 60],
   );
@@ -92,7 +93,7 @@ measurement('run: a simulated minute without a picture, in the page and on the J
   const { user } = await openWebEdition(t, { to: 'webassembly-loader.js' });
   const times = [];
   for (let seed = 1; seed <= RUNS; seed++) {
-    times.push(await minuteInThePage(user, String(seed)));
+    times.push(await minuteInThePage(user, seed));
   }
   reportTimes(t, 'a minute in the page', times);
   const options = ['--headless', '--fast', '--seed', '1', '--seconds', String(60 * MINUTES_ON_THE_JVM)];

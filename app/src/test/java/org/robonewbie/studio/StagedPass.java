@@ -44,7 +44,7 @@ final class StagedPass {
     private static final long SEED = 1;
     private static final double MAX_SECONDS = 300;
     private static final double MIN_SPEED = 3;
-    private static final double READY_METRES = 1.3;
+    private static final double READY_METRES = 0.8;
     private static final double ALONE_METRES = 0.9;
     private static final int CYCLES_AFTER = 2;
 
@@ -88,14 +88,20 @@ final class StagedPass {
         }
         double rolled = trial.now().place(player).distance(trial.now().ball());
         Vector3 end = new Vector3(said.passTarget().x(), said.passTarget().y(), 0);
-        boolean alone = IntStream.range(0, 2 * PLAYERS)
-                .filter(other -> other != player)
-                .noneMatch(
-                        other -> trial.now().place(other).distance(trial.now().ball()) < ALONE_METRES);
-        return alone
+        Vector3 middle = new Vector3(
+                (trial.now().ball().x() + end.x()) / 2, (trial.now().ball().y() + end.y()) / 2, 0);
+        return isAlone(trial, player, trial.now().ball())
+                && isAlone(trial, player, middle)
                 && rolled > 0.4
                 && rolled < 0.6
                 && trial.now().place(said.receiver() - 1).distance(end) < READY_METRES;
+    }
+
+    /** Returns whether a place is free, except for the player that passes. */
+    private static boolean isAlone(Trial trial, int player, Vector3 place) {
+        return IntStream.range(0, 2 * PLAYERS)
+                .filter(other -> other != player)
+                .noneMatch(other -> trial.now().place(other).distance(place) < ALONE_METRES);
     }
 
     /** A match that is played cycle by cycle and can be shown in a studio. */
