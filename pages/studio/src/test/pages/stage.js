@@ -56,10 +56,14 @@ function startStage() {
  * @param {...string} words the command and its arguments
  * @returns {Promise<string>} the address of the page, which works once
  */
-export async function startCommand(t, folder, ...words) {
-  const command = [...JAVA, 'org.robonewbie.app.Main', ...words, '--no-browser'];
+export function startCommand(t, folder, ...words) {
+  return startJava(t, folder, 'org.robonewbie.app.Main', ...words, '--no-browser');
+}
+
+/** Starts a Java program that opens a studio, and returns the address of the page. */
+export async function startJava(t, folder, ...words) {
   const env = { ...process.env, ROBONEWBIE_RECORDINGS: 'off' };
-  const started = spawn('java', command, { cwd: folder, env, stdio: ['ignore', 'pipe', 'inherit'] });
+  const started = spawn('java', [...JAVA, ...words], { cwd: folder, env, stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = once(started, 'close');
   atEnd(t, async () => {
     started.kill('SIGKILL');
@@ -113,7 +117,7 @@ export async function folderWith(t, files = {}) {
  */
 export async function openStage(t, folder, world) {
   const { ask } = (shared ??= startStage());
-  const { id, drawingPort } = await ask({ do: 'open', folder, ...world });
+  const { id, agentPort, drawingPort } = await ask({ do: 'open', folder, ...world });
   let closing;
   const close = () => (closing ??= ask({ do: 'close', id }));
   atEnd(t, close);
@@ -147,6 +151,9 @@ export async function openStage(t, folder, world) {
 
     /** Starts another simulator with a studio at the same address, after the end of the first. */
     restart: (other) => ask({ do: 'restart', id, folder, ...other }),
+
+    /** TCP port for programs of robots. */
+    agentPort,
 
     /** UDP port for drawings in the protocol of RoboViz. */
     drawingPort,

@@ -253,6 +253,15 @@ class User {
     }
   }
 
+  /** Moves the camera, as `{ target, azimuthDegrees, elevationDegrees, distance }` or a part of it, and waits until the picture is drawn. */
+  async looks(view) {
+    await this.page.evaluate((place) => {
+      studio.camera.jumpTo({ ...studio.camera.view, ...place });
+      studio.touch();
+    }, view);
+    await this.page.waitForFunction(() => studio.camera.isStill && !studio.session.stale);
+  }
+
   /** Returns the point `[x, y]` of the page at which the 3D picture shows a point of the pitch, in metres, once the camera is still. */
   async pointOf(x, y, z) {
     await this.page.waitForFunction(() => studio.camera.isStill);
@@ -317,10 +326,10 @@ class User {
     return this.page.evaluate(coloursOf, await this.page.screenshot({ clip, encoding: 'base64' }));
   }
 
-  /** Keeps a picture of the page in the folder that the environment variable PICTURES names, if there is one. */
-  async takesAPicture(name) {
+  /** Keeps a picture of the page, or of a part of it, in the folder that the environment variable PICTURES names, if there is one. */
+  async takesAPicture(name, clip) {
     if (process.env.PICTURES) {
-      await writeFile(join(process.env.PICTURES, `${name}.png`), Buffer.from(await this.page.screenshot()));
+      await writeFile(join(process.env.PICTURES, `${name}.png`), Buffer.from(await this.page.screenshot({ clip })));
     }
   }
 

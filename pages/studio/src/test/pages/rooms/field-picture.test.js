@@ -146,11 +146,7 @@ slow('a page before its first picture is not black', async (t) => {
 
 slow('the ground reaches the horizon', async (t) => {
   const { user } = await openField(t, { isSharp: true });
-  await user.page.evaluate(() => {
-    studio.camera.jumpTo({ target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2, distance: 8 });
-    studio.touch();
-  });
-  await user.page.waitForFunction(() => studio.camera.isStill && !studio.session.stale);
+  await user.looks({ target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2, distance: 8 });
   const [, horizon] = await user.pointOf(10_000, 0, 0);
 
   const [[, , blueOfTheSky]] = await user.coloursAround([300, horizon - 30], 0);
@@ -182,11 +178,7 @@ slow('cameras of a robot are not chosen without a robot', async (t) => {
 slow('the ball is never smaller than four pixels', async (t) => {
   const { user } = await openField(t);
 
-  await user.page.evaluate(() => {
-    studio.camera.jumpTo({ ...studio.camera.view, distance: 60 });
-    studio.touch();
-  });
-  await user.page.waitForFunction(() => studio.camera.isStill && !studio.session.stale);
+  await user.looks({ distance: 60 });
 
   const [x, y, z, radius] = await user.page.evaluate(() => {
     const { position, scale } = studio.view.ball;

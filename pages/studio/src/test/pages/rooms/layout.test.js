@@ -1,7 +1,19 @@
 /** All panels and controls have room on common screens. */
 import assert from 'node:assert/strict';
 import { slow } from '../tests.js';
-import { openStudio } from '../user.js';
+import { EDITOR, FOR_PICTURES, openStudio } from '../user.js';
+import { WHOLE } from './replay-room.js';
+
+const KEYFRAMES = `200${' 0'.repeat(22)}\n400${' 0'.repeat(22)}\n`;
+
+/** Rooms, and what a user waits for there. */
+const ROOMS = {
+  field: (user) => user.sees('Blue_Newbies 1'),
+  program: (user) => user.reads('textbox', EDITOR, /\S/),
+  robot: (user) => user.page.waitForFunction(() => document.querySelectorAll('.joint-row').length === 22),
+  'motion/mine': (user) => user.page.waitForSelector('[data-keyframe]'),
+  'replay/game': (user) => user.sees(WHOLE),
+};
 
 const openWithRobot = (t, width, height) => openStudio(t, { robots: [{}], width, height });
 
@@ -33,6 +45,42 @@ function controlsBeyondTheEdge() {
     .filter((control) => control.checkVisibility() && !control.closest('#rooms'))
     .filter((control) => control.getBoundingClientRect().left < 0 || control.getBoundingClientRect().right > innerWidth)
     .map((control) => control.textContent);
+}
+
+/** Returns the controls beyond the window that are not inside a scroll container. */
+function controlsCutOff() {
+  const scrolls = (each) =>
+    each &&
+    each !== document.body &&
+    (/auto|scroll/.test(getComputedStyle(each).overflowY) || scrolls(each.parentElement));
+  return [...document.querySelectorAll('button, input, select, summary, a[href]')]
+    .filter((control) => control.checkVisibility({ visibilityProperty: true }) && !scrolls(control.parentElement))
+    .filter((control) => {
+      const { left, top, right, bottom } = control.getBoundingClientRect();
+      return left < 0 || top < 0 || right > innerWidth + 1 || bottom > innerHeight + 1;
+    })
+    .map((control) => control.id || control.textContent);
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [1366, 768],
+  [1024, 768],
+  [820, 1180],
+]) {
+  slow(`no control of a room is cut off on a screen of ${width} × ${height}`, async (t) => {
+    const files = { 'mine.txt': KEYFRAMES };
+    const world = { robots: [{}], isPaused: true, files, recordings: ['game'] };
+    for (const theme of ['light', 'dark']) {
+      const { user, visit } = await openStudio(t, { ...world, width, height, theme, ...FOR_PICTURES });
+      for (const [room, isThere] of Object.entries(ROOMS)) {
+        await visit(room);
+        await isThere(user);
+        await user.takesAPicture(`${room.replace(/\/.*/, '')}-${width}-${theme}`);
+        assert.deepEqual(await user.page.evaluate(controlsCutOff), [], `${room}, ${theme}`);
+      }
+    }
+  });
 }
 
 slow('panels fit common screens and no text is small', async (t) => {

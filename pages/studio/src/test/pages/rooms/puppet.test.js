@@ -1,7 +1,7 @@
 /** The pitch without programming: a robot is steered by keys and sliders, scenes are saved and restored. */
 import assert from 'node:assert/strict';
-import { connect } from 'node:net';
-import { atEnd, slow } from '../tests.js';
+import { join } from '../agent.js';
+import { slow } from '../tests.js';
 import { FOR_PICTURES, openStudio } from '../user.js';
 
 const ARM = 'left shoulder pitch';
@@ -49,22 +49,6 @@ async function seesNext(user, change) {
   await user.until(() => undo.evaluate((button, text) => button.title.includes(text), change));
 }
 
-/** Lets a robot of a foreign program join at a port, until the test ends. */
-function join(t, port, team) {
-  const socket = connect(port, '127.0.0.1');
-  const say = (text) => {
-    const message = Buffer.alloc(4 + text.length);
-    message.writeUInt32BE(text.length);
-    message.write(text, 4);
-    socket.write(message);
-  };
-  atEnd(t, () => socket.destroy());
-  socket.on('error', () => socket.destroy());
-  say('(scene rsg/agent/nao/nao.rsg)(syn)');
-  socket.once('data', () => say(`(init (unum 1)(teamname ${team}))(syn)`));
-  socket.on('data', () => say('(syn)'));
-}
-
 slow('a key lets the puppet walk while it is held', async (t) => {
   const studio = await openField(t);
   const { user, stage } = studio;
@@ -106,12 +90,12 @@ slow('agents join at the port that the hint names, and a reset frees the names o
   await user.clicks('button', 'Reset');
   await user.until(async () => !(await user.text()).includes('Puppets'));
   for (const team of ['Stars', 'Moons']) {
-    join(t, port, team);
+    join(t, port, { team });
     await user.sees(`${team} 1`);
   }
   await user.reads('region', 'Scoreboard', /Stars.*Moons/s);
 
-  join(t, port, 'Suns');
+  join(t, port, { team: 'Suns' });
   await user.sees('no room for team "Suns"');
 });
 

@@ -52,9 +52,11 @@ final class Stage {
 
     private Map<String, Object> answer(JsonObject request) throws IOException {
         if (request.get("do").getAsString().equals("open")) {
+            StagedStudio studio = open(request);
             opened++;
-            studios.put(opened, open(request));
-            return Map.of("id", opened, "drawingPort", studios.get(opened).drawingPort());
+            studios.put(opened, studio);
+            return Map.of(
+                    "id", opened, "agentPort", studio.simulation().agentPort(), "drawingPort", studio.drawingPort());
         }
         int id = request.get("id").getAsInt();
         StagedStudio studio = studio(id);

@@ -3,7 +3,6 @@ package org.robonewbie.studio;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.robonewbie.protocol.order.Order;
 
 /** A studio with content in each room: a robot on the pitch, a motion, a recording, a course, and programs. */
 final class FurnishedStudio implements AutoCloseable {
@@ -16,12 +15,6 @@ final class FurnishedStudio implements AutoCloseable {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
         studio = new WholeStudio(simulation.control(), folder);
-    }
-
-    /** Pauses the world, in which otherwise something always moves. */
-    FurnishedStudio paused() {
-        simulation.order(new Order.Pause());
-        return this;
     }
 
     /** A new address of the page, to which options and the room can be appended. */

@@ -106,7 +106,7 @@ class JavaScriptTest {
     private static void writeFrame(Path folder) throws IOException {
         try (TestSimulator simulation = new TestSimulator()) {
             simulation
-                    .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -2, 1, 30, Posture.GREETING)
+                    .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -2, 1, 30, Map.of(Joint.RIGHT_SHOULDER_PITCH, -60.0))
                     .withRobot(RobotType.TYPE_3, TeamSide.RIGHT, 2, 2, -1, 200, Posture.STANDING)
                     .withRobot(RobotType.TYPE_4, TeamSide.RIGHT, 11, 0, 2, -90, Posture.STANDING);
             WorldSnapshot world = simulation.latest();

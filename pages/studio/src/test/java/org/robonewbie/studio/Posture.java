@@ -4,14 +4,11 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.robonewbie.nao.Joint;
 
-/** Stable postures for the robots of the tests. */
+/** Stable posture for the robots of the tests. */
 final class Posture {
 
     /** Slightly bent knees, arms hanging. */
     static final Map<Joint, Double> STANDING = standing();
-
-    /** Standing with the right hand raised in greeting. */
-    static final Map<Joint, Double> GREETING = greeting();
 
     private Posture() {}
 
@@ -31,16 +28,6 @@ final class Posture {
         degrees.put(Joint.RIGHT_KNEE_PITCH, -58.0);
         degrees.put(Joint.LEFT_FOOT_PITCH, 28.0);
         degrees.put(Joint.RIGHT_FOOT_PITCH, 28.0);
-        return degrees;
-    }
-
-    private static Map<Joint, Double> greeting() {
-        Map<Joint, Double> degrees = new EnumMap<>(STANDING);
-        degrees.put(Joint.RIGHT_SHOULDER_PITCH, 40.0);
-        degrees.put(Joint.RIGHT_SHOULDER_YAW, -25.0);
-        degrees.put(Joint.RIGHT_ARM_ROLL, 60.0);
-        degrees.put(Joint.RIGHT_ARM_YAW, 60.0);
-        degrees.put(Joint.NECK_YAW, -12.0);
         return degrees;
     }
 }

@@ -20,7 +20,6 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.WorldSettings;
-import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
@@ -38,13 +37,7 @@ final class TestSimulator implements AutoCloseable {
     private volatile Optional<WorldSnapshot> latest = Optional.empty();
 
     TestSimulator() {
-        this(Landscape.SOCCER);
-    }
-
-    TestSimulator(Landscape landscape) {
-        this(SimulatorSettings.of(
-                        WorldSettings.beginner().withLandscape(landscape).withSeed(1))
-                .withAgentPort(0));
+        this(SimulatorSettings.of(WorldSettings.beginner().withSeed(1)).withAgentPort(0));
     }
 
     TestSimulator(SimulatorSettings settings) {

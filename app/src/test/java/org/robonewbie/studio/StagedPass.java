@@ -1,21 +1,11 @@
 package org.robonewbie.studio;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
-import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
@@ -27,6 +17,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.order.Order;
+import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
@@ -44,77 +35,51 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * Takes the picture of a pass in {@code docs/team/knowing.md}, from a real match that stops when the ball begins to roll to its receiver.
+ * A studio that shows a pass of the example team, for the picture in {@code docs/team/knowing.md}: a real match that has stopped when the
+ * ball begins to roll to its receiver.
  */
-@Tag("slow")
-@InBrowser(width = 960, height = 640)
-class TeamPictureTest {
+final class StagedPass {
 
     private static final int PLAYERS = 5;
     private static final long SEED = 1;
     private static final double MAX_SECONDS = 300;
     private static final double MIN_SPEED = 3;
-    private static final double READY_METRES = 1.3;
+    private static final double READY_METRES = 0.8;
     private static final double ALONE_METRES = 0.9;
-    private static final double SHARE_OF_WAY = 0.47;
-    private static final int LEFT = 0;
-    private static final int WIDTH = 720;
-    private static final int HEIGHT = 300;
-    private static final String PITCH_ALONE = "for (const each of document.body.querySelectorAll('*'))"
-            + " if (!each.querySelector('canvas, .name-tags') && !each.closest('canvas, .name-tags'))"
-            + " each.style.visibility = 'hidden'";
-    private static final String LABELS = "JSON.stringify(studio.view.drawings.texts.children.map(each => each.name))";
+    private static final int CYCLES_AFTER = 2;
 
-    private final Chromium browser;
-    private final MatchOnShow match = new MatchOnShow();
+    private StagedPass() {}
 
-    TeamPictureTest(Chromium browser) {
-        this.browser = browser;
-    }
-
-    /** A pass: who is to get it, and where to. */
-    private record Pass(int receiver, Vector3 end) {}
-
-    @Test
-    void passIsOnThePicture() throws IOException {
-        browser.drawSharply();
+    /** Prints the address of the studio, which shows the thoughts of the players as soon as its user pauses the match. */
+    public static void main(String[] args) throws IOException, InterruptedException {
+        MatchOnShow match = new MatchOnShow();
         try (StudioServer studio = StudioServer.start(match, 0, AccessToken.random());
-                Trial trial = match.begin(studio.telemetry())) {
-            Pass pass = firstPass(trial);
-            browser.visit(studio.oneTimeAddress() + "&quality=medium&theme=light");
-            browser.await("studio.state.scene.robots.length === " + 2 * PLAYERS + " && studio.state.frame");
-            trial.step();
-            browser.press("1");
-            browser.evaluate(view(trial.now().ball(), pass.end));
-            browser.await("studio.camera.isStill");
-            trial.step();
-            browser.await(LABELS + ".includes('pass to " + pass.receiver + "')");
-
-            browser.evaluate(PITCH_ALONE);
-            BufferedImage whole = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
-            BufferedImage part = whole.getSubimage(LEFT, (whole.getHeight() - HEIGHT) / 2, WIDTH, HEIGHT);
-
-            Path file = Picture.ofDocumentation("docs/team/images/studio-pass.png", part);
-            assertThat(Files.size(file)).isBetween(10_000L, 200_000L);
+                Trial trial = match.begin()) {
+            playUntilFirstPass(match, trial);
+            for (int i = 0; i < CYCLES_AFTER; i++) {
+                match.step(trial);
+            }
+            match.show(trial, studio.telemetry());
+            match.whenOrdered(() -> match.show(trial, studio.telemetry()));
+            System.out.println("Watch it at " + studio.oneTimeAddress());
+            Thread.currentThread().join();
         }
     }
 
     /** Plays until the ball has just left the foot of a player that passes it, and the receiver is ready. */
-    private static Pass firstPass(Trial trial) {
+    private static void playUntilFirstPass(MatchOnShow match, Trial trial) {
         TeamMessage[] said = new TeamMessage[PLAYERS];
         while (trial.seconds() < MAX_SECONDS) {
-            trial.step();
+            match.step(trial);
             for (int i = 0; i < PLAYERS; i++) {
                 int index = i;
                 trial.said(i).flatMap(TeamMessage::decode).ifPresent(message -> said[index] = message);
                 if (said[i] != null && isPass(trial, i, said[i])) {
-                    Vector3 end = new Vector3(
-                            said[i].passTarget().x(), said[i].passTarget().y(), 0);
-                    return new Pass(said[i].receiver(), end);
+                    return;
                 }
             }
         }
-        throw new AssertionError("Nobody has passed the ball.");
+        throw new IllegalStateException("There was no pass within " + MAX_SECONDS + " s.");
     }
 
     private static boolean isPass(Trial trial, int player, TeamMessage said) {
@@ -123,34 +88,30 @@ class TeamPictureTest {
         }
         double rolled = trial.now().place(player).distance(trial.now().ball());
         Vector3 end = new Vector3(said.passTarget().x(), said.passTarget().y(), 0);
-        boolean alone = IntStream.range(0, 2 * PLAYERS)
-                .filter(other -> other != player)
-                .noneMatch(
-                        other -> trial.now().place(other).distance(trial.now().ball()) < ALONE_METRES);
-        return alone
+        Vector3 middle = new Vector3(
+                (trial.now().ball().x() + end.x()) / 2, (trial.now().ball().y() + end.y()) / 2, 0);
+        return isAlone(trial, player, trial.now().ball())
+                && isAlone(trial, player, middle)
                 && rolled > 0.4
                 && rolled < 0.6
                 && trial.now().place(said.receiver() - 1).distance(end) < READY_METRES;
     }
 
-    /** Looks at the way of the ball from the side. */
-    private static String view(Vector3 ball, Vector3 end) {
-        return String.format(
-                Locale.ROOT,
-                "studio.camera.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: %.0f, elevationDegrees: 35, distance: 8.5});"
-                        + " studio.touch()",
-                ball.x() + SHARE_OF_WAY * (end.x() - ball.x()),
-                ball.y() + SHARE_OF_WAY * (end.y() - ball.y()),
-                Math.toDegrees(Math.atan2(end.y() - ball.y(), end.x() - ball.x())) - 90);
+    /** Returns whether a place is free, except for the player that passes. */
+    private static boolean isAlone(Trial trial, int player, Vector3 place) {
+        return IntStream.range(0, 2 * PLAYERS)
+                .filter(other -> other != player)
+                .noneMatch(other -> trial.now().place(other).distance(place) < ALONE_METRES);
     }
 
-    /** A match that a studio shows while a test plays it cycle by cycle. */
-    private static final class MatchOnShow implements SimulationControl, TrialListener {
+    /** A match that is played cycle by cycle and can be shown in a studio. */
+    private static final class MatchOnShow implements SimulationControl {
 
         private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
+        private final List<TelemetryMessage> thoughts = new ArrayList<>();
+        private volatile Runnable ordered = () -> {};
 
-        /** Begins to play; what the players think goes to a viewer. */
-        Trial begin(TelemetrySink viewer) {
+        Trial begin() {
             List<RobotStart> robots = new ArrayList<>();
             for (int i = 0; i < 2 * PLAYERS; i++) {
                 int side = i < PLAYERS ? 1 : -1;
@@ -166,10 +127,10 @@ class TeamPictureTest {
             Trial trial = Trial.observed(
                     new Scene(rules, true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO)),
                     SEED,
-                    this,
+                    TrialListener.NONE,
                     RecordingTarget.NONE,
                     start -> start.team().equals("Team")
-                            ? new ShownPlayer(new Agent_Team(start.number()), viewer)
+                            ? new ShownPlayer(new Agent_Team(start.number()), thoughts::add)
                             : Controller.ofAgent(new Agent_BetterSoccer()));
             trial.allowBeams();
             trial.order(new Order.SetTime(0));
@@ -177,9 +138,20 @@ class TeamPictureTest {
             return trial;
         }
 
-        @Override
-        public void cycleEnded(Trial trial) {
+        /** Plays one cycle, whose thoughts replace those of the cycle before. */
+        void step(Trial trial) {
+            thoughts.clear();
+            trial.step();
+        }
+
+        /** Shows the cycle and what the players thought in it. */
+        void show(Trial trial, TelemetrySink viewer) {
             observers.forEach(observer -> observer.cycleEnded(trial.snapshot(false, 1)));
+            thoughts.forEach(viewer::accept);
+        }
+
+        void whenOrdered(Runnable action) {
+            ordered = action;
         }
 
         @Override
@@ -189,7 +161,7 @@ class TeamPictureTest {
 
         @Override
         public void order(Order order) {
-            // The test decides what happens.
+            ordered.run();
         }
 
         @Override
