@@ -2,7 +2,8 @@
  * Runs the tests of a folder in one process, so that all share one browser and one Java process: `node src/test/pages/all.js rooms`.
  * Further words on the command line choose files. Environment variables:
  *
- * - TESTS: `quick` or `slow` ones, or those for a `picture` of the documentation; all by default
+ * - TESTS: `quick` or `slow` ones, those for a `picture` of the documentation or for `firefox`; all by default
+ * - BROWSER: `firefox` instead of Chromium
  * - PART: `1/2` and `2/2` are halves of the files, for two processes
  * - PATIENCE: the seconds for which a user waits; 60 by default
  */

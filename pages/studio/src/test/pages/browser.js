@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { after } from 'node:test';
-import puppeteer from 'puppeteer-core';
+import puppeteer, { Puppeteer } from 'puppeteer-core';
 import { atEnd } from './tests.js';
 
 export const isFirefox = process.env.BROWSER === 'firefox';
@@ -26,6 +26,27 @@ const THIS_COMPUTER = /^(https?:\/\/(127\.0\.0\.1|localhost)[:/]|file:|data:|blo
 
 let shared;
 after(() => shared?.close());
+
+// Firefox needs a second or two to search its accessibility tree, which leaves out shadow trees.
+Puppeteer.registerCustomQueryHandler('markup', { queryAll: withMarkup });
+
+/** Returns what is visible and has a role and a name, such as `button Save`, by attributes or by its element and its text. */
+function withMarkup(root, roleAndName) {
+  const [, role, name] = roleAndName.match(/(\S+) (.*)/);
+  const elements = {
+    button: 'button',
+    combobox: 'select:not([size])',
+    heading: 'h1',
+    link: 'a',
+    list: 'ol, ul',
+    listbox: 'select[size]',
+  };
+  const hasRole = (each) => (each.role ? each.role === role : each.matches(elements[role] ?? ':not(*)'));
+  const isNamed = (each) => (each.ariaLabel ?? each.textContent.trim()) === name;
+  const all = (tree) =>
+    [...tree.querySelectorAll('*')].flatMap((each) => [each, ...(each.shadowRoot ? all(each.shadowRoot) : [])]);
+  return all(root).filter((each) => hasRole(each) && isNamed(each) && each.checkVisibility());
+}
 
 function programOf(names) {
   const paths = (process.env.PATH ?? '').split(delimiter).flatMap((folder) => names.map((name) => join(folder, name)));
@@ -56,15 +77,15 @@ export function launch({ inFirefox = isFirefox, flags = [], preferences = {}, pr
  * are left out, because they take most of the time without a graphics card; positions and sizes do not change.
  *
  * @param {import('node:test').TestContext} t the test that owns the page
- * @param {{ width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object, before?: () => void }} look
- *   `browser` is one from {@link launch}; `before` runs in each document before its own scripts
+ * @param {{ width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean, browser?: object, profile?: string,
+ *   before?: () => void }} look `browser` is one from {@link launch}; `profile` is a folder in which a separate browser keeps what pages
+ *   store; `before` runs in each document before its own scripts
  */
 export async function openPage(
   t,
-  { width = 1366, height = 768, isNewcomer = false, isSharp = false, browser, before },
+  { width = 1366, height = 768, isNewcomer = false, isSharp = false, browser, profile, before },
 ) {
-  const context = await (browser ?? (shared ??= await launch())).createBrowserContext();
-  atEnd(t, () => context.close());
+  const context = await (profile ? contextOf(t, profile) : newContext(t, browser));
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MILLIS);
   await page.setViewport({ width, height, deviceScaleFactor: isSharp ? 1 : COARSE });
@@ -75,6 +96,18 @@ export async function openPage(
   }
   page.on('dialog', (dialog) => dialog.accept());
   return { page, complaints: complaintsOf(page) };
+}
+
+async function newContext(t, browser) {
+  const context = await (browser ?? (shared ??= await launch())).createBrowserContext();
+  atEnd(t, () => context.close());
+  return context;
+}
+
+async function contextOf(t, profile) {
+  const browser = await launch({ profile });
+  atEnd(t, () => browser.close());
+  return browser.defaultBrowserContext();
 }
 
 function skipTheFirstMinute() {

@@ -7,6 +7,9 @@ const LIMIT_MILLIS = 300_000;
 /** Defines a test that shows the main use of a room in about a second. */
 export const quick = tests('quick');
 
+/** Defines a quick test that Firefox runs too. */
+export const quickInBoth = tests('quick', 'firefox');
+
 /** Defines a test that takes longer or varies a quick one. */
 export const slow = tests('slow');
 

@@ -43,8 +43,8 @@ export async function openStudio(t, options = {}) {
  *
  * @param {import('node:test').TestContext} t
  * @param {{ to?: string, files?: Record<string, string>, width?: number, height?: number, isNewcomer?: boolean, isSharp?: boolean,
- *   browser?: object, before?: () => void }} options `to` is what follows the address of the folder, such as `#program`; `files` are
- *   served before those of the page
+ *   browser?: object, profile?: string, before?: () => void }} options `to` is what follows the address of the folder, such as
+ *   `#program`; `files` are served before those of the page
  */
 export async function openWebEdition(t, { to = '', files, ...look } = {}) {
   const folder = await folderWith(t, files);
@@ -59,7 +59,7 @@ export async function openWebEdition(t, { to = '', files, ...look } = {}) {
 export async function newUser(t, look = {}) {
   const { page, complaints } = await openPage(t, look);
   const isFirefox = /firefox/i.test(await page.browser().version());
-  return new User(t, page, complaints, isFirefox ? '>>> ' : '');
+  return new User(t, page, complaints, isFirefox);
 }
 
 const matches = (text, wanted) => (typeof wanted === 'string' ? text.includes(wanted) : wanted.test(text));
@@ -86,10 +86,16 @@ async function coloursOf(png) {
   return Array.from({ length: data.length / 4 }, (_, i) => [...data.slice(4 * i, 4 * i + 3)]);
 }
 
+/** Firefox ignores the text in the constructor of a `ClipboardEvent`. */
 function paste(field, text) {
   const clipboardData = new DataTransfer();
   clipboardData.setData('text/plain', text);
-  field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  field.dispatchEvent(Object.assign(new Event('paste', { bubbles: true, cancelable: true }), { clipboardData }));
+}
+
+/** Returns the visible text of an element, or all options of a list or menu. */
+function textOf(element) {
+  return element.options ? Array.from(element.options, ({ text }) => text).join('\n') : element.innerText;
 }
 
 /** Returns false if an error is due to the replacement of the page, and throws it otherwise. */
@@ -102,12 +108,11 @@ function falseIfReplaced(error) {
 
 class User {
   #expected = /^$/;
-  #everywhere;
+  #isFirefox;
 
-  /** `everywhere` begins a selector of what is in shadow trees too. */
-  constructor(t, page, complaints, everywhere) {
+  constructor(t, page, complaints, isFirefox) {
     this.page = page;
-    this.#everywhere = everywhere;
+    this.#isFirefox = isFirefox;
     this.complaints = complaints;
     atEnd(t, () =>
       assert.deepEqual(
@@ -166,9 +171,11 @@ class User {
     );
   }
 
-  /** Returns Puppeteer's selector of what has a role and a name in the accessibility tree. */
+  /** Returns Puppeteer's selector of what has a role and a name: in the accessibility tree, or in the markup of Firefox. */
   #named(role, name) {
-    return `${this.#everywhere}::-p-aria([role="${role}"][name="${name.replaceAll('"', '\\"')}"])`;
+    return this.#isFirefox
+      ? `markup/${role} ${name}`
+      : `::-p-aria([role="${role}"][name="${name.replaceAll('"', '\\"')}"])`;
   }
 
   /** Waits until what has this role and name is visible, and returns its handle. */
@@ -278,12 +285,12 @@ class User {
     );
   }
 
-  /** Waits until the visible text of an element matches, and returns it. */
+  /** Waits until the visible text of an element matches, and returns it; that of a list or menu has a line for each option. */
   async reads(role, name, text = '') {
     const element = await this.finds(role, name);
     let read = '';
     await this.until(
-      async () => matches((read = await element.evaluate((node) => node.innerText)), text),
+      async () => matches((read = await element.evaluate(textOf)), text),
       () => `reads ${text} in ${role} "${name}", which says ${read}`,
     );
     return read;
@@ -331,6 +338,11 @@ class User {
     if (process.env.PICTURES) {
       await writeFile(join(process.env.PICTURES, `${name}.png`), Buffer.from(await this.page.screenshot({ clip })));
     }
+  }
+
+  /** Returns whether the browser asks before it closes the page. */
+  isAskedBeforeClosing() {
+    return this.page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
   }
 
   /**

@@ -25,10 +25,6 @@ const TIME = 'Time to reach this keyframe in milliseconds';
 
 const openMine = (t, options = {}) => openMotion(t, { files: { mine: ONE_KEYFRAME }, ...options });
 
-/** Returns whether the browser asks before it closes the page. */
-const isAskedBeforeClosing = ({ page }) =>
-  page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })));
-
 slow('a new motion leaves the unnamed one before it in the list', async (t) => {
   const studio = await openMine(t);
   const { user } = studio;
@@ -244,7 +240,7 @@ slow('a lost simulator is reported, and unsaved work keeps the page from closing
   await turns(user, 'neck yaw', '44');
 
   await user.sees('The draft could not be saved');
-  assert.ok(await isAskedBeforeClosing(user));
+  assert.ok(await user.isAskedBeforeClosing());
 });
 
 slow('the page closes without a question if all work is kept', async (t) => {
@@ -252,5 +248,5 @@ slow('the page closes without a question if all work is kept', async (t) => {
   await turns(studio.user, 'neck yaw', '44');
   await keepsADraft(studio);
 
-  await studio.user.until(async () => !(await isAskedBeforeClosing(studio.user)));
+  await studio.user.until(async () => !(await studio.user.isAskedBeforeClosing()));
 });

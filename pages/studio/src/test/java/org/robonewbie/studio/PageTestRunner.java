@@ -21,7 +21,7 @@ final class PageTestRunner {
      * Runs the tests of a folder; skips the calling test if Node.js, its packages or Chromium are missing.
      *
      * @param folder name of the folder
-     * @param tests kind of tests: quick, slow or picture
+     * @param tests kind of tests: quick, slow, picture or firefox
      * @param environment environment variables that say what is tested
      */
     static void run(String folder, String tests, Map<String, String> environment)

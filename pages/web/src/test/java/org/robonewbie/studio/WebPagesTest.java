@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 /** Runs the tests of the compiled web edition in Chromium and Firefox. */
 class WebPagesTest {
 
+    private static final String PAGE = Path.of("target", "web").toAbsolutePath().toString();
+
     @Test
     void webEditionPassesItsQuickTests() throws IOException, InterruptedException {
         run("quick");
@@ -20,8 +22,14 @@ class WebPagesTest {
         run("slow");
     }
 
+    @Test
+    void webEditionKeepsWorkAndRunsProgramsInFirefox() throws IOException, InterruptedException {
+        Firefox.TOOL.orSkip();
+
+        PageTestRunner.run("web", "firefox", Map.of("WEB_EDITION", PAGE, "BROWSER", "firefox"));
+    }
+
     private static void run(String tests) throws IOException, InterruptedException {
-        String page = Path.of("target", "web").toAbsolutePath().toString();
-        PageTestRunner.run("web", tests, Map.of("WEB_EDITION", page));
+        PageTestRunner.run("web", tests, Map.of("WEB_EDITION", PAGE));
     }
 }
