@@ -1,5 +1,5 @@
 /** Studios for the tests, which run in one Java process. */
-import { spawn } from 'node:child_process';
+import { execFile, spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -7,6 +7,7 @@ import { delimiter, dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { atEnd } from './tests.js';
 
 /** Class path of the tests of `app`, as it is after `./mvnw package`. */
@@ -77,6 +78,20 @@ export async function startJava(t, folder, ...words) {
     }
   }
   throw new Error(`${words.join(' ')} has ended without an address.`);
+}
+
+/**
+ * Runs a command to its end, such as `grade kick Kick.java`, whatever its exit code is.
+ *
+ * @param {string} folder its working directory
+ * @param {...string} words the command and its arguments
+ * @returns {Promise<string>} its standard output
+ */
+export async function runCommand(folder, ...words) {
+  const env = { ...process.env, ROBONEWBIE_PROGRESS: join(folder, 'progress.json') };
+  const command = [...JAVA, 'org.robonewbie.app.Main', ...words];
+  const { stdout } = await promisify(execFile)('java', command, { cwd: folder, env }).catch((ended) => ended);
+  return stdout;
 }
 
 /**

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** Published programs: the examples, and those of README and tutorial. */
-public final class KnownPrograms {
+final class KnownPrograms {
 
     private static final Path ROOT = Path.of("../..").toAbsolutePath().normalize();
     private static final Path EXAMPLES = ROOT.resolve("course/examples/src/main/java/org/robonewbie/examples");
@@ -26,7 +26,7 @@ public final class KnownPrograms {
      * @param name name of its class
      * @param text its source
      */
-    public record Text(String name, String text) {
+    record Text(String name, String text) {
 
         @Override
         public String toString() {
@@ -44,7 +44,7 @@ public final class KnownPrograms {
     }
 
     /** {@return the programs of README and tutorial with a main method} */
-    public static List<Text> documented() {
+    static List<Text> documented() {
         try (Stream<Path> files = Files.list(ROOT.resolve("docs/tutorial"))) {
             List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md")));
             files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
