@@ -19,6 +19,7 @@ record Tool(String name, List<String> programs) {
 
     static final Tool BROWSER =
             new Tool("Chromium", List.of("chromium", "chromium-browser", "google-chrome", "chrome"));
+    static final Tool FIREFOX = new Tool("Firefox", List.of("firefox-esr", "firefox"));
     static final Tool NODE = new Tool("Node.js", List.of("node", "node.exe"));
 
     Optional<Path> find() {

@@ -24,7 +24,7 @@ class WebPagesTest {
 
     @Test
     void webEditionKeepsWorkAndRunsProgramsInFirefox() throws IOException, InterruptedException {
-        Firefox.TOOL.orSkip();
+        Tool.FIREFOX.orSkip();
 
         PageTestRunner.run("web", "firefox", Map.of("WEB_EDITION", PAGE, "BROWSER", "firefox"));
     }
