@@ -127,8 +127,12 @@ class User {
     this.#expected = pattern;
   }
 
-  /** Leaves the page for another address, even if only the fragment differs, and waits until its room is open. */
+  /** Leaves the page, once it has kept all work, for another address, even if only the fragment differs; waits until its room is open. */
   async visits(address) {
+    await this.until(
+      async () => !(await this.isAskedBeforeClosing()),
+      () => 'leaves a page that has kept all work',
+    );
     await this.page.goto('about:blank');
     await this.page.goto(address);
     await this.#waitsForTheRoom();
