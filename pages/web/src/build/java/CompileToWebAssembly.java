@@ -9,8 +9,22 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import org.teavm.diagnostics.DefaultProblemTextConsumer;
 import org.teavm.diagnostics.Problem;
+import org.teavm.model.BasicBlock;
+import org.teavm.model.ClassHolder;
+import org.teavm.model.ClassHolderTransformer;
+import org.teavm.model.ClassHolderTransformerContext;
+import org.teavm.model.ClassReader;
+import org.teavm.model.Instruction;
+import org.teavm.model.InvokeDynamicInstruction;
+import org.teavm.model.MethodDescriptor;
+import org.teavm.model.MethodHandle;
+import org.teavm.model.MethodHolder;
+import org.teavm.model.MethodReference;
+import org.teavm.model.RuntimeConstant;
+import org.teavm.model.instructions.InvokeInstruction;
 import org.teavm.tooling.ConsoleTeaVMToolLog;
 import org.teavm.tooling.TeaVMTargetType;
 import org.teavm.tooling.TeaVMTool;
@@ -58,6 +72,7 @@ final class CompileToWebAssembly {
                 .toList();
         compiler.setClassPath(classPath);
         compiler.setClassLoader(CompileToWebAssembly.class.getClassLoader());
+        compiler.getTransformers().add(PortableCalls.class.getName());
         return compiler;
     }
 
@@ -67,5 +82,60 @@ final class CompileToWebAssembly {
         String place = problem.getLocation() == null ? "" : " (" + problem.getLocation().getMethod() + " "
                 + problem.getLocation().getSourceLocation() + ")";
         System.err.println(problem.getSeverity() + ": " + text.getText() + place);
+    }
+
+    /**
+     * Redirects calls of {@code Math} and {@code StrictMath} to the methods of {@code PortableMath} that have the same name. TeaVM's own differ
+     * from the JVM's in the last bit, which changes the recording of a run.
+     */
+    public static final class PortableCalls implements ClassHolderTransformer {
+
+        private static final String PORTABLE = "org.robonewbie.nao.math.PortableMath";
+        private static final Set<String> REPLACED = Set.of("java.lang.Math", "java.lang.StrictMath");
+
+        /** Creates the transformer; TeaVM finds it by name. */
+        public PortableCalls() {}
+
+        @Override
+        public void transformClass(ClassHolder type, ClassHolderTransformerContext context) {
+            ClassReader portable = context.getHierarchy().getClassSource().get(PORTABLE);
+            if (portable == null) {
+                return; // the program is the Java compiler
+            }
+            for (MethodHolder method : type.getMethods()) {
+                if (method.getProgram() != null) {
+                    for (BasicBlock block : method.getProgram().getBasicBlocks()) {
+                        block.forEach(instruction -> redirect(instruction, portable));
+                    }
+                }
+            }
+        }
+
+        private static void redirect(Instruction instruction, ClassReader portable) {
+            if (instruction instanceof InvokeInstruction call) {
+                MethodReference called = call.getMethod();
+                if (isRedirected(called.getClassName(), called.getDescriptor(), portable)) {
+                    call.setMethod(new MethodReference(PORTABLE, called.getDescriptor()));
+                }
+            } else if (instruction instanceof InvokeDynamicInstruction lambda) {
+                lambda.getBootstrapArguments().replaceAll(argument -> redirected(argument, portable));
+            }
+        }
+
+        /** Redirects a method reference such as {@code Math::sin}. */
+        private static RuntimeConstant redirected(RuntimeConstant argument, ClassReader portable) {
+            if (argument.getKind() != RuntimeConstant.METHOD_HANDLE) {
+                return argument;
+            }
+            MethodHandle handle = argument.getMethodHandle();
+            MethodDescriptor descriptor = new MethodDescriptor(handle.getName(), handle.signature());
+            return isRedirected(handle.getClassName(), descriptor, portable)
+                    ? new RuntimeConstant(MethodHandle.staticCaller(PORTABLE, descriptor))
+                    : argument;
+        }
+
+        private static boolean isRedirected(String owner, MethodDescriptor method, ClassReader portable) {
+            return REPLACED.contains(owner) && portable.getMethod(method) != null;
+        }
     }
 }
