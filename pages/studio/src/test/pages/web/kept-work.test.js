@@ -111,6 +111,18 @@ quick('a changed shared program is kept when one goes back', async (t) => {
   await reads(user, '// theirs, and mine');
 });
 
+quick('one goes back from a changed shared program to a new one if there was none', async (t) => {
+  const { user } = await openWebEdition(t, { to: linkTo('MyAgent.java', '// theirs') });
+  await reads(user, '// theirs');
+  await user.writes('// theirs, and mine');
+
+  await user.clicks('button', 'Back to my program');
+
+  await user.reads('textbox', EDITOR, 'public class MyAgent2 extends Agent');
+  await user.fills('combobox', 'Program', 'own MyAgent.java');
+  await reads(user, '// theirs, and mine');
+});
+
 quick('a saved version is restored after a visit', async (t) => {
   const { user, visit } = await openProgram(t);
   await saves(user, '// first');

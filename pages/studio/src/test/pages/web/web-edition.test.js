@@ -68,7 +68,7 @@ quick('four robots play, and a restart brings them back', async (t) => {
 });
 
 quick('the address names all agents that play', async (t) => {
-  const { user } = await openWebEdition(t, { to: '?agent=Agent_Dance&agent=Agent_SimpleSoccer' });
+  const { user } = await openWebEdition(t, { to: '?agent=&agent=Agent_Dance&agent=Agent_SimpleSoccer' });
 
   await hasCycle(user, (cycle) => cycle > 100);
 

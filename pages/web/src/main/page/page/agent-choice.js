@@ -10,14 +10,15 @@ export class AgentChoice {
   /** @type {(agent: string) => void} */
   #join = () => {};
 
-  /** @param {readonly string[]} wanted agents requested in the page's address */
-  constructor([first, ...others]) {
-    this.chosen = first ?? FIRST;
+  /** @param {readonly string[]} wanted agents requested in the page's address; empty names are ignored */
+  constructor(wanted) {
+    const [first = FIRST, ...others] = wanted.filter(Boolean);
+    this.chosen = first;
     /** Agents that play alongside the selected one or the user's program. */
     this.others = others.slice(0, MAX_OTHERS);
     this.list = choice({ id: 'page-agent', 'aria-label': 'Playing agent' }, [], (agent) => this.#take(agent));
     const title = 'Adds an agent, up to four in total; the second and fourth play against the first and third';
-    this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => this.#add(agent));
+    this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => agent && this.#add(agent));
     const again = button('⟲', 'Restarts with a new world', () => this.#begin(), {
       id: 'page-again',
       'aria-label': 'Restart',

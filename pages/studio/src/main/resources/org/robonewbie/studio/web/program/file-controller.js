@@ -5,6 +5,7 @@ import { encodeText, encodingFor, UTF_8 } from '../state/decoded-text.js';
 import {
   FIRST_NAME,
   folderOfNew,
+  freeName,
   isOpenToChange,
   isUnsaved,
   LAST_PROGRAM,
@@ -238,16 +239,23 @@ export class FileController {
     await this.room.save();
   }
 
-  /** Discards the shared program unless it has been changed, and opens the previous one. @param {{path: string, before: string}} shared */
+  /**
+   * Discards the shared program unless it has been changed, and opens the previous one, else another one of the user, else a new one.
+   *
+   * @param {{path: string, before: string}} shared
+   */
   async #discardShared({ path, before }) {
     if (this.editor.text === this.#asShared) {
       await this.service.removeDraft(path, this.#sharedVersion);
     } else {
       await this.drafts.keep();
     }
-    keep(LAST_PROGRAM, before);
     this.drafts.begin('');
-    await this.open(await this.service.list());
+    const { own, drafts } = await this.service.list();
+    const others = [...own, ...drafts].filter((each) => each.path !== path);
+    const found = others.find((each) => each.path === before) ?? others[0];
+    const name = found?.path ?? freeName(FIRST_NAME, [{ path }]);
+    await this.begin(name, found ? '' : await this.service.newProgram(name));
   }
 
   /** Reports that another window has unsaved changes to the open file. */
