@@ -17,6 +17,16 @@ from robonewbie.train import options_of
 # The seeds of training runs start at 10 million.
 FIRST_SEED = 1_000_000
 
+# The activations of a policy file.
+ACTIVATIONS = {
+    "tanh": np.tanh,
+    "cut": lambda x: np.clip(x, -1, 1),
+    "relu": lambda x: np.maximum(x, 0),
+    "elu": lambda x: np.where(x > 0, x, np.exp(np.minimum(x, 0)) - 1),
+    "silu": lambda x: x / (1 + np.exp(-x)),
+    "linear": lambda x: x,
+}
+
 
 class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
@@ -38,8 +48,7 @@ class PlayedPolicy:
         """Returns a row of actions from -1 to 1 for each row of observations."""
         values = observation.astype(float)
         for weights, bias, activation in self._layers:
-            values = values @ weights + bias
-            values = np.tanh(values) if activation == "tanh" else np.clip(values, -1, 1)
+            values = ACTIVATIONS[activation](values @ weights + bias)
         return values
 
 

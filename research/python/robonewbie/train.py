@@ -5,7 +5,7 @@
     python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
 The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training
-run can be interrupted at any time. The normalisation of observations is folded into the first layer of the policy.
+run can be interrupted at any time. The first layer of the policy normalises the observations.
 """
 
 import argparse
@@ -23,6 +23,9 @@ import numpy as np
 # Stable-Baselines3 seeds environment i with the seed plus i, so neighbouring seeds would share most of their episodes.
 SEEDS_APART = 10_000_000
 
+# The activations of policy files by the names of torch's modules.
+_ACTIVATIONS = {"Tanh": "tanh", "ReLU": "relu", "ELU": "elu", "SiLU": "silu", "Identity": "linear"}
+
 
 def fold(weights, bias, mean, variance, epsilon):
     """Folds the normalisation of inputs into a layer."""
@@ -31,7 +34,7 @@ def fold(weights, bias, mean, variance, epsilon):
 
 
 def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
-    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is a tuple of weights, biases and activation, "tanh" or "cut".
+    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is a tuple of weights, biases and activation, such as "tanh".
 
     If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
@@ -55,14 +58,34 @@ def _numbers(layer):
 
 
 def layers_of(model, normalisation, inputs):
-    """Returns the layers of the actor of a PPO model, with the normalisation of its inputs (indices) folded into the first one."""
-    from torch.nn import Linear
+    """Returns the layers of the actor of a PPO model for :func:`policy_text`.
 
-    hidden = [layer for layer in model.policy.mlp_extractor.policy_net if isinstance(layer, Linear)]
-    all_layers = [_numbers(layer) for layer in (*hidden, model.policy.action_net)]
-    moments = normalisation.obs_rms
-    all_layers[0] = fold(*all_layers[0], moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
-    return [(*layer, "tanh") for layer in all_layers[:-1]] + [(*all_layers[-1], "cut")]
+    The first layer normalises the inputs (indices) and clips them, as ``VecNormalize`` does.
+
+    :raises ValueError: if the network has a module that a policy file cannot express; it is named
+    """
+    hidden = _layers_of(model.policy.mlp_extractor.policy_net)
+    last = (*_numbers(model.policy.action_net), "tanh" if model.policy.squash_output else "cut")
+    moments, limit = normalisation.obs_rms, normalisation.clip_obs
+    size = len(inputs)
+    scale, offset = fold(np.identity(size) / limit, np.zeros(size), moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
+    weights, bias, activation = [*hidden, last][0]
+    return [(scale, offset, "cut"), (weights * limit, bias, activation), *[*hidden, last][1:]]
+
+
+def _layers_of(network):
+    """Returns weights, biases and activation of the layers of a torch network, which must be a sequence."""
+    layers = []
+    for module in network:
+        kind = type(module).__name__
+        if kind == "Linear":
+            layers.append((*_numbers(module), "linear"))
+        elif kind in _ACTIVATIONS and layers and layers[-1][2] == "linear" and getattr(module, "alpha", 1) == 1:
+            layers[-1] = (*layers[-1][:2], _ACTIVATIONS[kind])
+        else:
+            known = ", ".join(_ACTIVATIONS)
+            raise ValueError(f"A policy file cannot express {module}. Use layers of the kind Linear, each followed by one of {known}.")
+    return layers
 
 
 def options_of(words):

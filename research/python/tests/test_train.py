@@ -25,7 +25,7 @@ def layers(text):
         if line.startswith("layer "):
             _, _, outputs, activation = line.split()
             rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(outputs))])
-            yield rows[:, 1:], rows[:, 0], {"tanh": np.tanh, "cut": lambda x: np.clip(x, -1, 1)}[activation]
+            yield rows[:, 1:], rows[:, 0], evaluate.ACTIVATIONS[activation]
 
 
 class TrainTest(unittest.TestCase):
@@ -168,6 +168,36 @@ class TrainTest(unittest.TestCase):
             for weights, bias, activation in layers(out.read_text(encoding="utf-8")):
                 values = activation(weights @ values + bias)
             np.testing.assert_allclose(values, wanted, atol=2e-3)
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_policy_file_computes_what_the_network_computes_whatever_its_activations(self):
+        from stable_baselines3 import PPO
+        from stable_baselines3.common.vec_env import VecNormalize
+        from torch import nn
+
+        from robonewbie.sb3 import VecEnv
+
+        random = np.random.default_rng(1)
+        robots = VecNormalize(VecEnv("Stand", 1), clip_obs=2)
+        size = robots.observation_space.shape[0]
+        robots.obs_rms.mean, robots.obs_rms.var = random.normal(size=size), random.uniform(0.5, 9, size)
+        raw = random.normal(scale=4, size=(1000, size))
+        for activation in (nn.Tanh, nn.ReLU, nn.ELU, nn.SiLU, nn.Identity):
+            for squash in (False, True):
+                settings = {"activation_fn": activation, "net_arch": [32, 16], "squash_output": squash}
+                model = PPO("MlpPolicy", robots, use_sde=squash, policy_kwargs=settings, seed=1, device="cpu")
+                model.policy.action_net.weight.data *= 30
+                wanted, _ = model.predict(robots.normalize_obs(raw), deterministic=True)
+
+                text = train.policy_text("Stand", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
+
+                found = evaluate.PlayedPolicy(text).act(raw)
+                np.testing.assert_allclose(found, wanted, atol=2e-3, err_msg=f"{activation} {squash}")
+        for activation, named in ((nn.LeakyReLU, "LeakyReLU"), (lambda: nn.ELU(alpha=2.0), "ELU")):
+            model = PPO("MlpPolicy", robots, policy_kwargs={"activation_fn": activation, "net_arch": [4]}, device="cpu")
+            with self.assertRaisesRegex(ValueError, f"A policy file cannot express {named}"):
+                train.layers_of(model, robots, np.arange(size))
+        robots.close()
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_critic_sees_how_much_of_the_episode_is_over(self):

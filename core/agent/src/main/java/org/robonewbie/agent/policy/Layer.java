@@ -1,6 +1,8 @@
 package org.robonewbie.agent.policy;
 
 import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.Collectors;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
@@ -14,9 +16,9 @@ import org.robonewbie.nao.math.PortableMath;
 @SuppressWarnings("ArrayRecordComponent")
 record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
 
-    /** Activation function; its values lie between -1 and 1. */
+    /** Activation function. */
     enum Activation {
-        /** Hyperbolic tangent. */
+        /** Hyperbolic tangent: between -1 and 1. */
         TANH {
             @Override
             double of(double sum) {
@@ -29,9 +31,52 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
             double of(double sum) {
                 return Math.max(-1, Math.min(1, sum));
             }
+        },
+        /** Rectified linear unit: 0 for negative sums. */
+        RELU {
+            @Override
+            double of(double sum) {
+                return Math.max(0, sum);
+            }
+        },
+        /** Exponential linear unit: approaches -1 for negative sums. */
+        ELU {
+            @Override
+            double of(double sum) {
+                return sum > 0 ? sum : PortableMath.exp(sum) - 1;
+            }
+        },
+        /** Sigmoid linear unit, also called swish. */
+        SILU {
+            @Override
+            double of(double sum) {
+                return sum / (1 + PortableMath.exp(-sum));
+            }
+        },
+        /** No activation: the sum. */
+        LINEAR {
+            @Override
+            double of(double sum) {
+                return sum;
+            }
         };
 
         abstract double of(double sum);
+
+        /** Returns whether all values lie between -1 and 1, which the outputs of a policy need. */
+        boolean isBounded() {
+            return this == TANH || this == CUT;
+        }
+
+        /** Returns the names of all activation functions in a policy's text. */
+        static String names() {
+            return Arrays.stream(values()).map(Activation::toString).collect(Collectors.joining(", "));
+        }
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
     }
 
     Layer {

@@ -22,8 +22,8 @@ import java.util.stream.Collectors;
  * </pre>
  *
  * <p>A {@code layer} statement contains the numbers of inputs and outputs, and is followed by one line for each output:
- * its bias and the weights of all inputs. The activation function is {@code tanh} or {@code cut}, which clips to the
- * range from -1 to 1.
+ * its bias and the weights of all inputs. The activation function is {@code tanh}, {@code cut} (which clips to the range from
+ * -1 to 1), {@code relu}, {@code elu}, {@code silu} or {@code linear}. That of the last layer is {@code tanh} or {@code cut}.
  */
 public final class PolicyText {
 
@@ -102,15 +102,19 @@ public final class PolicyText {
         int to = Integer.parseInt(rest[0]);
         if (rest.length < 2 || from < 1 || from > MAX_LAYER_WIDTH || to < 1 || to > MAX_LAYER_WIDTH) {
             throw new IllegalArgumentException("A layer has 1 to " + MAX_LAYER_WIDTH
-                    + " inputs and outputs, followed by tanh or cut, such as \"layer 12 6 tanh\".");
+                    + " inputs and outputs, followed by its activation, such as \"layer 12 6 tanh\".");
         }
-        layers.add(new Layer(
-                from,
-                to,
-                Layer.Activation.valueOf(rest[1].toUpperCase(Locale.ROOT)),
-                new double[Layer.size(from, to)]));
+        layers.add(new Layer(from, to, activation(rest[1]), new double[Layer.size(from, to)]));
         weights = new double[0];
         missing = to;
+    }
+
+    private static Layer.Activation activation(String word) {
+        return Arrays.stream(Layer.Activation.values())
+                .filter(activation -> activation.toString().equalsIgnoreCase(word))
+                .findFirst()
+                .orElseThrow(
+                        () -> new IllegalArgumentException("Known activations: " + Layer.Activation.names() + "."));
     }
 
     private void readRow(double... row) {
@@ -140,6 +144,11 @@ public final class PolicyText {
         if (layers.isEmpty() || missing > 0) {
             throw new IllegalArgumentException("The policy \"" + task + "\" is incomplete.");
         }
+        Layer.Activation last = layers.get(layers.size() - 1).activation();
+        if (!last.isBounded()) {
+            throw new IllegalArgumentException("The last layer of the policy \"" + task + "\" has the activation "
+                    + last + ", but its outputs must lie between -1 and 1: use tanh or cut.");
+        }
         return new Policy(task, about, numbers, inputs, outputs, new Network(layers));
     }
 
@@ -157,8 +166,7 @@ public final class PolicyText {
         policy.inputs().forEach(input -> lines.add("input " + input.name() + " " + input.unit()));
         policy.outputs().forEach(output -> lines.add("output " + output.name() + " " + output.unit()));
         for (Layer layer : policy.network().layers()) {
-            String activation = layer.activation().name().toLowerCase(Locale.ROOT);
-            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + activation);
+            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + layer.activation());
             for (int i = 0; i < layer.outputs(); i++) {
                 lines.add(words(Arrays.stream(layer.row(i)).boxed().toList()));
             }

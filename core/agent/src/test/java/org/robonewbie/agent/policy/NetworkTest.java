@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class NetworkTest {
 
@@ -32,6 +34,24 @@ class NetworkTest {
 
         assertThat(network.apply(0.5)[0]).isEqualTo(0.75);
         assertThat(network.apply(5)[0]).isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "RELU, 0.7, 0.7",
+        "RELU, -0.7, 0",
+        "ELU, 0.7, 0.7",
+        "ELU, -0.7, -0.503414696",
+        "ELU, -800, -1",
+        "SILU, 0.7, 0.467731441",
+        "SILU, -0.7, -0.232268559",
+        "SILU, -800, 0",
+        "LINEAR, -3, -3"
+    })
+    void activationsAreThoseOfTheLiterature(Layer.Activation activation, double sum, double value) {
+        Layer layer = new Layer(1, 1, activation, new double[] {0, 1});
+
+        assertThat(layer.apply(sum)[0]).isCloseTo(value, within(1e-9));
     }
 
     @Test

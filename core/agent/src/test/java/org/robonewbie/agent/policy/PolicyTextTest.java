@@ -53,7 +53,8 @@ class PolicyTextTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     policy 1 balance      | policy 7 balance  | Line 1 of the policy cannot be read
-                    layer 2 2 tanh        | layer 2 2 sigmoid | Line 7 of the policy cannot be read
+                    layer 2 2 tanh        | layer 2 2 sigmoid | Known activations: tanh, cut, relu, elu, silu, linear.
+                    layer 2 1 cut         | layer 2 1 elu     | its outputs must lie between -1 and 1: use tanh or cut.
                     1 0.5 -0.25           | 1 0.5             | A bias and 2 weights are needed, not 2 numbers.
                     1 0.5 -0.25           | 1 NaN 2           | All numbers must be finite.
                     0 1 -1                | # nothing         | The policy "balance" is incomplete.
