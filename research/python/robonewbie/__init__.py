@@ -9,10 +9,11 @@
 import gymnasium
 
 from robonewbie.environment import RoboNewbieEnv
+from robonewbie.model import model_path
 from robonewbie.simulator import RoboNewbieError
 from robonewbie.vector import RoboNewbieVectorEnv
 
-__all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv"]
+__all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv", "model_path"]
 
 _MAX_CYCLES = {
     "Stand": 500,

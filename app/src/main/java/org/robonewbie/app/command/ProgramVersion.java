@@ -33,7 +33,7 @@ final class ProgramVersion {
      * @param jar a release, whose file name contains its version, or a local build
      */
     static String of(Path jar) throws IOException {
-        return of(jar, project().orElse("0"), commit());
+        return of(jar, number(), commit());
     }
 
     static String of(Path jar, String version, String commit) throws IOException {
@@ -46,6 +46,11 @@ final class ProgramVersion {
         CRC32 sum = new CRC32();
         sum.update(Files.readAllBytes(jar));
         return version + "-" + (commit.isEmpty() ? "built" : commit) + "-" + Long.toHexString(sum.getValue());
+    }
+
+    /** Returns the version, such as {@code 2.0.0}; 0 if the program is not packaged. */
+    static String number() {
+        return project().orElse("0");
     }
 
     private static Optional<String> project() {

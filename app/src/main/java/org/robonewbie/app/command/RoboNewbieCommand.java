@@ -61,7 +61,8 @@ public final class RoboNewbieCommand {
                             RecordCommand.class,
                             ExperimentCommand.class,
                             OptimiseCommand.class,
-                            LearnCommand.class)));
+                            LearnCommand.class,
+                            ExportCommand.class)));
 
     /** Commands that must start fast; the other command classes are not loaded for them. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(

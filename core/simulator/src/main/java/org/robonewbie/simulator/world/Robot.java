@@ -36,6 +36,9 @@ import org.robonewbie.simulator.physics.RotationMatrix;
  */
 public final class Robot {
 
+    /** Maximum torque of a motor in newton metres. */
+    public static final double MAX_TORQUE = 10;
+
     /** Position of a new robot's torso in the world frame. */
     public static final Vector3 START_POSITION = new Vector3(0, -1, 1.5);
 

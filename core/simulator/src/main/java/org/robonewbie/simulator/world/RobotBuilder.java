@@ -15,7 +15,6 @@ import org.robonewbie.simulator.physics.RigidBody;
 /** Creates the bodies and hinges of a robot in its initial pose (SimSpark: hingejoint.rsg and the NAO's scene files). */
 final class RobotBuilder {
 
-    private static final double MAX_TORQUE = 10;
     private static final double STOP_BOUNCE = 1;
 
     private final Robot robot;
@@ -55,7 +54,7 @@ final class RobotBuilder {
                 hinge.axis(),
                 PortableMath.toRadians(hinge.minDegrees()),
                 PortableMath.toRadians(hinge.maxDegrees()),
-                MAX_TORQUE,
+                Robot.MAX_TORQUE,
                 STOP_BOUNCE);
     }
 }
