@@ -41,6 +41,7 @@ class ArchitectureTest {
     /** The modules that must run where there is nothing but Java's basic classes, such as in a page of the browser. */
     private static final String[] CORE = {
         "org.robonewbie.nao..",
+        "org.robonewbie.robot..",
         "org.robonewbie.protocol..",
         "org.robonewbie.agent..",
         "org.robonewbie.simulator..",
@@ -80,10 +81,14 @@ class ArchitectureTest {
     static Stream<Arguments> modules() {
         return Stream.of(
                 Arguments.of("nao", new String[] {}),
-                Arguments.of("protocol", new String[] {"org.robonewbie.nao.."}),
-                Arguments.of("agent", new String[] {"org.robonewbie.nao..", "org.robonewbie.protocol.."}),
+                Arguments.of("robot", new String[] {"org.robonewbie.nao.."}),
+                Arguments.of("protocol", new String[] {"org.robonewbie.nao..", "org.robonewbie.robot.."}),
+                Arguments.of(
+                        "agent",
+                        new String[] {"org.robonewbie.nao..", "org.robonewbie.robot..", "org.robonewbie.protocol.."}),
                 Arguments.of("simulator", new String[] {
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.ode4j..",
                     "com.google.gson..",
@@ -91,6 +96,7 @@ class ArchitectureTest {
                 }),
                 Arguments.of("trial", new String[] {
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.agent..",
                     "org.robonewbie.simulator.."
@@ -98,6 +104,7 @@ class ArchitectureTest {
                 Arguments.of("programs", new String[] {
                     "org.robonewbie.trial..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.agent..",
                     "com.sun.source..",
@@ -108,6 +115,7 @@ class ArchitectureTest {
                     "org.robonewbie.trial..",
                     "org.robonewbie.programs..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.simulator..",
                     "org.eclipse.jetty..",
@@ -117,6 +125,7 @@ class ArchitectureTest {
                 Arguments.of("learning", new String[] {
                     "org.robonewbie.trial..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.agent..",
                     "org.robonewbie.simulator..",
@@ -126,6 +135,7 @@ class ArchitectureTest {
                     "org.robonewbie.trial..",
                     "org.robonewbie.programs..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol.effector..",
                     "org.robonewbie.protocol.frame..",
                     "org.robonewbie.protocol.order..",
@@ -135,6 +145,7 @@ class ArchitectureTest {
                 Arguments.of("exercises", new String[] {
                     "org.robonewbie.programs..",
                     "org.robonewbie.nao..",
+                    "org.robonewbie.robot..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.agent..",
                     "org.robonewbie.simulator..",
@@ -143,8 +154,12 @@ class ArchitectureTest {
                     "javax.crypto..",
                     "javax.lang.model.."
                 }),
-                Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}),
-                Arguments.of("team", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));
+                Arguments.of(
+                        "examples",
+                        new String[] {"org.robonewbie.nao..", "org.robonewbie.robot..", "org.robonewbie.agent.."}),
+                Arguments.of(
+                        "team",
+                        new String[] {"org.robonewbie.nao..", "org.robonewbie.robot..", "org.robonewbie.agent.."}));
     }
 
     @ParameterizedTest
@@ -205,6 +220,7 @@ class ArchitectureTest {
                 .that()
                 .resideInAnyPackage(
                         "org.robonewbie.nao..",
+                        "org.robonewbie.robot..",
                         "org.robonewbie.simulator.physics..",
                         "org.robonewbie.simulator.world..",
                         "org.robonewbie.simulator.sensing..",

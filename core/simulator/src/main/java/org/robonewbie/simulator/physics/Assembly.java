@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.physics;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 
 /**

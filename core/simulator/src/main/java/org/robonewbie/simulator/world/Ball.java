@@ -1,9 +1,9 @@
 package org.robonewbie.simulator.world;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
-import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 

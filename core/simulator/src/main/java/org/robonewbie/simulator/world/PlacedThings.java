@@ -3,12 +3,12 @@ package org.robonewbie.simulator.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BodyPose;
-import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /** The objects of a landscape in the physical world: static colliders and movable bodies. */

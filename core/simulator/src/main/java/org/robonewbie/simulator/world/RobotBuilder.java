@@ -6,9 +6,9 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.HingeDefinition;
-import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 
 /** Against the moments that SimSpark's NAO and ball have. */

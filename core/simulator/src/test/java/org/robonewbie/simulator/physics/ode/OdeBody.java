@@ -5,7 +5,7 @@ import org.ode4j.ode.DMass;
 import org.ode4j.ode.DWorld;
 import org.ode4j.ode.OdeHelper;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 

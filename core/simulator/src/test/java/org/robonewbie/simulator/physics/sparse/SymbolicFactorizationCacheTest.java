@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.simulator.physics.MassDistribution;
+import org.robonewbie.nao.model.MassDistribution;
 
 class SymbolicFactorizationCacheTest {
 

@@ -1,7 +1,6 @@
-package org.robonewbie.simulator.physics;
+package org.robonewbie.nao.model;
 
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.Shape;
 
 /**
  * Mass and principal moments of inertia of a body.

@@ -1,0 +1,3 @@
+/** Tests of the robots as data. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.robot;
