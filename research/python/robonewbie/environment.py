@@ -1,16 +1,20 @@
 """Environment for one robot with the interface of gymnasium.Env, and the base class of all environments."""
 
+from __future__ import annotations
+
 import sys
 import webbrowser
+from typing import Any
 
 import gymnasium
 import numpy as np
 
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection, RoboNewbieError
+from robonewbie.simulator import RESET, SKIP, STEP, TRUNCATED, Connection, RoboNewbieError
 
 SEED_LIMIT = 2**62
 RENDER_MODES = ["human", "rgb_array"]
+CYCLES_PER_SECOND = 50
 
 
 class EpisodeSeeds:
@@ -39,20 +43,38 @@ def spaces_of(description):
     return observation, action
 
 
+def _create(kind, arguments, keywords):
+    return kind(*arguments, **keywords)
+
+
 class SimulatedTask:
-    """Base class of all environments: connection to the simulator, episode options, and rendering."""
+    """Base class of all environments: connection to the simulator, episode options, rendering, and pickling.
+
+    Unpickling calls the constructor of the environment's class with the same arguments.
+    """
+
+    metadata = {"render_modes": RENDER_MODES, "render_fps": CYCLES_PER_SECOND}
+
+    def __new__(cls, *arguments, **keywords):
+        environment = super().__new__(cls)
+        environment._constructor = arguments, keywords
+        return environment
+
+    def __reduce__(self):
+        return _create, (type(self), *self._constructor)
 
     def _connect(self, task, count, reward, render_mode, options):
         if render_mode is not None and render_mode not in RENDER_MODES:
             raise ValueError(f'There is no render_mode "{render_mode}". Available: {", ".join(RENDER_MODES)}; or omit the argument.')
         self.render_mode = render_mode
-        self._options = options
+        self._task_options = options
         self._changed = False
         self._connection = Connection(task, count, reward, options)
         self.description = self._connection.description
         self.observation_names = [entry["name"] for entry in self.description["observation"]]
         self.observation_units = [entry["unit"] for entry in self.description["observation"]]
         self.action_names = self.description["action"]
+        self._set_cycles(options)
         self.studio_address = self._show() if render_mode == "human" else None
         return spaces_of(self.description)
 
@@ -65,15 +87,76 @@ class SimulatedTask:
     def _change(self, options):
         """Sets options for the next episode, in addition to those of the constructor."""
         if options or self._changed:
-            self._connection.change({**self._options, **(options or {})})
+            merged = {**self._task_options, **(options or {})}
+            self._connection.change(merged)
             self._changed = bool(options)
+            self._set_cycles(merged)
 
-    def render(self):
+    def _set_cycles(self, options):
+        self.cycles = int(options.get("cycles", 1))
+        self.metadata = {**self.metadata, "render_fps": CYCLES_PER_SECOND / self.cycles}
+
+    def render(self) -> np.ndarray | None:
         """Returns an image as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""
         return draw(self._connection.picture(0)) if self.render_mode == "rgb_array" else None
 
-    def close(self):
+    def close(self) -> None:
         self._connection.close()
+
+
+def _in_shape(observation, space, robots=()):
+    """Returns the observation, which has a row for each robot if ``robots`` contains their number.
+
+    :raises RoboNewbieError: if its shape is not that of the space
+    """
+    if space.shape is not None and np.shape(observation) != (*robots, *space.shape):
+        raise RoboNewbieError(
+            f"observation() returned the shape {np.shape(observation)} instead of {(*robots, *space.shape)}. "
+            "Set the observation space in the constructor, after super().__init__()."
+        )
+    return observation
+
+
+class VectorizedTask(SimulatedTask):
+    """Base class of vectorised environments, with hooks that work on arrays.
+
+    Override ``observation``, ``reward`` and ``termination`` to customise a task. Their first argument has a row or a number for each
+    robot; ``info`` has an array for each quantity of the true state. ``observation`` may be called twice in a step, the second time after
+    finished episodes have been reset, so its result should depend on its arguments only.
+    """
+
+    def observation(self, observation: np.ndarray, info: dict[str, np.ndarray]) -> np.ndarray:
+        """Returns the observations of all robots. If their shape differs from the task's, set the space in the constructor."""
+        return observation
+
+    def reward(self, reward: np.ndarray, info: dict[str, np.ndarray]) -> np.ndarray:
+        """Returns the rewards of all robots."""
+        return reward
+
+    def termination(self, terminated: np.ndarray, info: dict[str, np.ndarray]) -> np.ndarray:
+        """Returns whether the episode of each robot is terminated."""
+        return terminated
+
+    @property
+    def _customised(self):
+        hooks = ("observation", "reward", "termination")
+        return any(getattr(type(self), hook) is not getattr(VectorizedTask, hook) for hook in hooks)
+
+    def _true_state(self):
+        truth = self._connection.truth
+        return {
+            name: values.astype(bool) if name in ("fallen", "is_success") else values
+            for name, values in zip(self._connection.truth_names, truth.T)
+        }
+
+    def _reset_episodes(self, selected, seeds):
+        """Begins an episode for each robot that a boolean mask selects; returns the observations of all robots."""
+        observation, _, _ = self._connection.act(np.where(selected, RESET, SKIP), seeds, 0)
+        return self._observed(observation)
+
+    def _observed(self, observation):
+        observation = self.observation(observation, self._true_state())
+        return _in_shape(observation, self._space_of_one_robot, (self.num_envs,))
 
 
 class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
@@ -94,40 +177,39 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     ``info`` contains the true state. To customise a task, override ``observation``, ``reward`` and ``termination``:
 
     >>> class Crouch(RoboNewbieEnv):
-    ...     def reward(self, reward, info):
+    ...     def reward(self, reward: float, info: dict[str, Any]) -> float:
     ...         return -info["height"]
     """
 
-    metadata = {"render_modes": RENDER_MODES, "render_fps": 50}
-
-    def __init__(self, task="Walk", reward="", render_mode=None, **options):
-        self._arguments = {"task": task, "reward": reward, "render_mode": render_mode, **options}
+    def __init__(self, task: str = "Walk", reward: str = "", render_mode: str | None = None, **options: Any) -> None:
         self.observation_space, self.action_space = self._connect(task, 1, reward, render_mode, options)
         if len(self.description["robots"]) > 1:
             raise RoboNewbieError(f"{task} trains several robots. Use robonewbie.parallel.parallel_env(\"{task}\").")
         self.range_degrees = self.description["rangeDegrees"]
-        self.cycles = options.get("cycles", 1)
 
-    def observation(self, observation, info):
-        """Returns the observation for a step. Override to derive it from the sensor readings or the true state."""
+    def observation(self, observation: np.ndarray, info: dict[str, Any]) -> Any:
+        """Returns the observation for a step. Override to derive it from the sensor readings or the true state.
+
+        If its shape differs from the task's, set ``observation_space`` in the constructor.
+        """
         return observation
 
-    def reward(self, reward, info):
+    def reward(self, reward: float, info: dict[str, Any]) -> float:
         """Returns the reward for a step. Override to replace the task's reward."""
         return reward
 
-    def termination(self, terminated, info):
+    def termination(self, terminated: bool, info: dict[str, Any]) -> bool:
         """Returns whether the episode is terminated. Override to replace the task's decision."""
         return terminated
 
-    def reset(self, *, seed=None, options=None):
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         super().reset(seed=seed)
         self._change(options)
         observation, _, _ = self._connection.act(RESET, int(self.np_random.integers(SEED_LIMIT)), 0)
         info = self._info()
-        return self.observation(observation[0], info), info
+        return self._observed(observation[0], info), info
 
-    def step(self, action):
+    def step(self, action: np.ndarray) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         action = np.asarray(action, dtype=float)
         if action.shape != self.action_space.shape:
             raise RoboNewbieError(
@@ -137,22 +219,18 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         observation, reward, terminated = self._connection.act(STEP, 0, action)
         info = self._info()
         return (
-            self.observation(observation[0], info),
+            self._observed(observation[0], info),
             float(self.reward(float(reward[0]), info)),
             bool(self.termination(bool(terminated[0]), info)),
             bool(self._connection.state[0] == TRUNCATED),
             info,
         )
 
+    def _observed(self, observation, info):
+        return _in_shape(self.observation(observation, info), self.observation_space)
+
     def _info(self):
         info = {name: float(value) for name, value in zip(self._connection.truth_names, self._connection.truth[0])}
         for name in ("fallen", "is_success"):
             info[name] = bool(info[name])
         return info
-
-    def __getstate__(self):
-        """Returns the constructor's arguments for pickling; unpickling creates a new environment."""
-        return self._arguments
-
-    def __setstate__(self, arguments):
-        self.__init__(**arguments)

@@ -32,7 +32,7 @@ class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
 
     def __init__(self, text):
-        self.inputs, self.cycles, self._layers = [], 1, []
+        self.inputs, self.cycles, self.layers = [], 1, []
         lines = iter(text.splitlines())
         for line in lines:
             words = line.split(" ")
@@ -42,12 +42,12 @@ class PlayedPolicy:
                 self.cycles = int(words[2])
             if words[0] == "layer":
                 rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(words[2]))])
-                self._layers.append((rows[:, 1:].T, rows[:, 0], words[3]))
+                self.layers.append((rows[:, 1:].T, rows[:, 0], words[3]))
 
     def act(self, observation):
         """Returns a row of actions from -1 to 1 for each row of observations."""
         values = observation.astype(float)
-        for weights, bias, activation in self._layers:
+        for weights, bias, activation in self.layers:
             values = ACTIVATIONS[activation](values @ weights + bias)
         return values
 

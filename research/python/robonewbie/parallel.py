@@ -11,7 +11,7 @@ import numpy as np
 from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
-from robonewbie.environment import RENDER_MODES, SEED_LIMIT, SimulatedTask
+from robonewbie.environment import CYCLES_PER_SECOND, RENDER_MODES, SEED_LIMIT, SimulatedTask
 from robonewbie.simulator import RESET, STEP, TRUNCATED, RoboNewbieError
 
 
@@ -22,7 +22,7 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
     ``learners``. ``options`` are those of ``RoboNewbieEnv``.
     """
 
-    metadata = {"name": "robonewbie_v1", "render_modes": RENDER_MODES, "render_fps": 50, "is_parallelizable": True}
+    metadata = {"name": "robonewbie_v1", "render_modes": RENDER_MODES, "render_fps": CYCLES_PER_SECOND, "is_parallelizable": True}
 
     def __init__(self, task="Match1v1", render_mode=None, **options):
         observation, action = self._connect(task, 1, "", render_mode, options)

@@ -47,10 +47,16 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     lines += [f"input {name} {unit}" for name, unit in inputs]
     kind = "" if walk else "joint."
     lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
+    return "\n".join([*lines, *layer_lines(layers)]) + "\n"
+
+
+def layer_lines(layers):
+    """Returns the lines of layers in a policy file, with as many digits as float32 needs."""
+    lines = []
     for weights, bias, activation in layers:
         lines.append(f"layer {weights.shape[1]} {weights.shape[0]} {activation}")
-        lines += [" ".join(f"{number:.6g}" for number in [b, *row]) for b, row in zip(bias, weights)]
-    return "\n".join(lines) + "\n"
+        lines += [" ".join(f"{float(str(number)):.9g}" for number in np.float32([b, *row])) for b, row in zip(bias, weights)]
+    return lines
 
 
 def _numbers(layer):

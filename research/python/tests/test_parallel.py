@@ -1,5 +1,6 @@
 """Matches by PettingZoo's own tests; skipped where it is not installed."""
 
+import pickle
 import unittest
 import warnings
 
@@ -25,6 +26,16 @@ class ParallelTest(unittest.TestCase):
                 self.assertEqual(len(match.possible_agents), robots)
                 match.close()
         parallel_seed_test(parallel_env, num_cycles=20)
+
+    def test_match_is_pickled_and_its_videos_play_at_the_speed_of_the_simulation(self):
+        match = parallel_env("Match1v1", cycles=5)
+        twin = pickle.loads(pickle.dumps(match))
+        self.assertEqual((match.metadata["render_fps"], twin.metadata["render_fps"]), (10, 10))
+        observation, other = match.reset(seed=1)[0], twin.reset(seed=1)[0]
+        for robot in match.agents:
+            np.testing.assert_array_equal(observation[robot], other[robot])
+        match.close()
+        twin.close()
 
     def test_teams_lose_what_the_other_wins(self):
         match = parallel_env("KeeperAgainstAttacker", cycles=5)

@@ -1,5 +1,6 @@
 """Run with: python -m unittest discover -s research/python/tests"""
 
+import copy
 import os
 import pickle
 import re
@@ -17,6 +18,7 @@ from unittest import mock
 import gymnasium
 import numpy as np
 from gymnasium.utils.env_checker import check_env
+from gymnasium.vector import AutoresetMode
 
 import robonewbie
 from robonewbie import simulator
@@ -229,6 +231,48 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
         copy.close()
 
+    def test_subclass_is_pickled_with_its_own_arguments(self):
+        env = Crouch(depth=0.1, heading=(0, 40))
+        twin = pickle.loads(pickle.dumps(env))
+        deep = copy.deepcopy(env)
+        self.assertEqual((twin.depth, deep.depth), (0.1, 0.1))
+        self.assertEqual(twin.reset(seed=3)[1], env.reset(seed=3)[1])
+        for each in (env, twin, deep):
+            each.close()
+
+    def test_videos_play_at_the_speed_of_the_simulation(self):
+        env = gymnasium.make("RoboNewbie/GetUp-v1", cycles=5)
+        self.assertEqual(env.metadata["render_fps"], 10)
+        env.reset(options={"cycles": 2})
+        self.assertEqual(env.metadata["render_fps"], 25)
+        env.reset()
+        self.assertEqual(env.metadata["render_fps"], 10)
+        env.close()
+        many = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=2, cycles=5)
+        self.assertEqual(many.metadata["render_fps"], 10)
+        many.close()
+
+    def test_cycles_are_one_whole_number(self):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "cycles=2.5 is not a whole number"):
+            robonewbie.RoboNewbieEnv("Walk", cycles=2.5)
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "cycles=2.0..6.0 is a range"):
+            robonewbie.RoboNewbieEnv("Walk", cycles=(2, 6))
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "delay=0.0..1.5 is not a whole number"):
+            robonewbie.RoboNewbieEnv("Walk", delay=(0, 1.5))
+        robonewbie.RoboNewbieEnv("Walk", delay=(0, 2), cycles=2).close()
+
+    def test_observation_of_another_shape_needs_its_space(self):
+        class Taller(robonewbie.RoboNewbieEnv):
+            def observation(self, observation, info):
+                return np.append(observation, info["height"]).astype(np.float32)
+
+        env = Taller("Stand")
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "Set the observation space in the constructor"):
+            env.reset(seed=1)
+        env.observation_space = gymnasium.spaces.Box(-np.inf, np.inf, (len(env.observation_names) + 1,), np.float32)
+        self.assertEqual(env.reset(seed=1)[0].shape, env.observation_space.shape)
+        env.close()
+
     def test_wrong_shape_and_closed_environment_are_told(self):
         env = robonewbie.RoboNewbieEnv("Reach")
         env.reset(seed=1)
@@ -273,6 +317,93 @@ class VectorTest(unittest.TestCase):
         self.assertFalse(truncated.any())
         np.testing.assert_array_equal(reward, [0, 0])
         many.close()
+
+
+    def test_same_step_returns_the_next_episode_with_the_last_observation_of_the_old_one(self):
+        next_step = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=2)
+        same_step = gymnasium.make_vec("RoboNewbie/Reach-v1", num_envs=2, autoreset_mode=AutoresetMode.SAME_STEP)
+        self.assertIs(same_step.metadata["autoreset_mode"], AutoresetMode.SAME_STEP)
+        action = np.full((2, 4), 0.2, dtype=np.float32)
+        for many in (next_step, same_step):
+            many.reset(seed=1)
+            for _ in range(99):
+                many.step(action)
+        final, reward, _, truncated, final_info = next_step.step(action)
+        first, *_ = next_step.step(action)
+        observation, same_reward, _, same_truncated, info = same_step.step(action)
+
+        np.testing.assert_array_equal(observation, first)
+        np.testing.assert_array_equal(np.stack(info["final_obs"]), final)
+        np.testing.assert_array_equal(info["final_info"]["x"], final_info["x"])
+        np.testing.assert_array_equal(same_reward, reward)
+        np.testing.assert_array_equal(same_truncated, truncated)
+        next_step.close()
+        same_step.close()
+        with self.assertRaisesRegex(ValueError, "Choose NEXT_STEP or SAME_STEP"):
+            robonewbie.RoboNewbieVectorEnv("Reach", 2, autoreset_mode=AutoresetMode.DISABLED)
+
+    def test_hooks_on_arrays_give_the_episodes_of_single_environments(self):
+        many, alone = ManyCrouch(num_envs=2), Crouch()
+        many.reset(seed=4)
+        alone.reset(seed=4)
+        bend = -np.array([1.0 if name.endswith("KNEE_PITCH") else 0.0 for name in alone.action_names], dtype=np.float32)
+        terminated = False
+        while not terminated:
+            observation, reward, terminated, _, _ = alone.step(bend)
+            rows = many.step(np.stack([bend, 0 * bend]))
+            np.testing.assert_array_equal(rows[0][0], observation)
+            self.assertEqual(rows[1][0], reward)
+            self.assertEqual(rows[2].tolist(), [terminated, False])
+        self.assertEqual(rows[0].shape, many.observation_space.shape)
+        many.close()
+        alone.close()
+
+    def test_vector_is_pickled_with_its_arguments(self):
+        many = ManyCrouch(num_envs=3)
+        twin = pickle.loads(pickle.dumps(many))
+        np.testing.assert_array_equal(many.reset(seed=1)[0], twin.reset(seed=1)[0])
+        many.close()
+        twin.close()
+
+
+class Crouch(robonewbie.RoboNewbieEnv):
+    """Ends when the torso has sunk; observes its height as well."""
+
+    def __init__(self, depth=0.05, **keywords):
+        super().__init__("Stand", push=0, **keywords)
+        self.depth = depth
+        self.observation_space = _with_height(self.observation_space)
+
+    def observation(self, observation, info):
+        return np.append(observation, info["height"]).astype(np.float32)
+
+    def reward(self, reward, info):
+        return -info["height"]
+
+    def termination(self, terminated, info):
+        return terminated or info["height"] < 0.36 - self.depth
+
+
+class ManyCrouch(robonewbie.RoboNewbieVectorEnv):
+    """The same as Crouch, for arrays."""
+
+    def __init__(self, depth=0.05, **keywords):
+        super().__init__("Stand", push=0, **keywords)
+        self.depth = depth
+        self.single_observation_space = _with_height(self.single_observation_space)
+
+    def observation(self, observation, info):
+        return np.column_stack([observation, info["height"]]).astype(np.float32)
+
+    def reward(self, reward, info):
+        return -info["height"]
+
+    def termination(self, terminated, info):
+        return terminated | (info["height"] < 0.36 - self.depth)
+
+
+def _with_height(space):
+    return gymnasium.spaces.Box(np.append(space.low, 0), np.append(space.high, 1), dtype=np.float32)
 
 
 class ProcessTest(unittest.TestCase):

@@ -88,6 +88,17 @@ slow('the compiler names a missing class and an alternative', async (t) => {
   }
 });
 
+slow('the compiler names all missing classes at once, and each of them once', async (t) => {
+  const { user } = await openWebEdition(t, { to: '#program' });
+  const statements = 'Thread.sleep(5); new Thread(); EnumMap<?, ?> map; new java.util.Date();';
+  await user.writes(`import java.util.EnumMap;\n${agent(statements)}`);
+
+  await user.sees(/\b3 errors, line 1/);
+  for (const advice of ['does not provide java.util.EnumMap', NO_THREADS, NO_CALENDAR]) {
+    await user.reads('list', 'Errors found by the compiler', advice);
+  }
+});
+
 for (const [statement, said] of MISSING_FEATURES) {
   slow(`a missing feature is reported when the program uses it: ${statement}`, async (t) => {
     const user = await runs(t, agent(statement));

@@ -7,6 +7,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.robot.NaoRobot;
+import org.robonewbie.robot.RobotModel;
 import org.robonewbie.simulator.export.ExportedScene;
 import org.robonewbie.simulator.export.MjcfFile;
 import org.robonewbie.simulator.export.MotorKind;
@@ -71,7 +73,7 @@ final class ExportCommand implements Callable<Integer> {
         if (type < 0 || type > MAX_TYPE) {
             throw new CalledWronglyException("There is no robot type " + type + ". Choose 0 to " + MAX_TYPE + ".");
         }
-        RobotType robot = RobotType.values()[type];
+        RobotModel robot = NaoRobot.of(RobotType.values()[type]);
         if (mjcf.isPresent()) {
             MotorKind kind = motors.orElse(MotorKind.SPEED);
             write(mjcf.get(), MjcfFile.of(robot, kind, scene.orElse(ExportedScene.PLAIN), head()));

@@ -108,7 +108,8 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "S",
-            description = "Random seed; the same seed gives the same policy (default: 1).")
+            description = "Random seed; the same seed gives the same policy, or with --evaluate the same episodes"
+                    + " (default: 1).")
     private long seed = 1;
 
     @Option(
@@ -143,7 +144,7 @@ final class LearnCommand implements Callable<Integer> {
             if (evaluate == null) {
                 learn(model, policy);
             } else if (evaluate > 0) {
-                System.out.println(policy + ": " + PolicySearch.evaluate(model, evaluate, policy(model, policy)));
+                System.out.println(policy + ": " + PolicySearch.evaluate(model, evaluate, seed, policy(model, policy)));
             } else {
                 throw new CalledWronglyException("--evaluate must be at least 1, not " + evaluate + ".");
             }

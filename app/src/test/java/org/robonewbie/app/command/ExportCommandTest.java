@@ -32,10 +32,10 @@ import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
+import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.simulator.physics.MassDistribution;
 import org.w3c.dom.Document;
 
 class ExportCommandTest {

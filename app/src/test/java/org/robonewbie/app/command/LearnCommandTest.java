@@ -90,6 +90,10 @@ class LearnCommandTest {
         assertThatThrownBy(() -> command("Stand", "shipped", "--evaluate", "0").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("--evaluate must be at least 1, not 0.");
+        assertThatThrownBy(() -> command("Stand", "none", "--evaluate", "1", "--seed", "0")
+                        .call())
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessage("The seed of an evaluation must be between 1 and 1000000000, not 0.");
         assertThatThrownBy(() -> command("WalkGait", folder.resolve("no.policy").toString(), "--evaluate", "1")
                         .call())
                 .isInstanceOf(CalledWronglyException.class)

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CompilerMessagesTest {
 
@@ -53,6 +54,24 @@ class CompilerMessagesTest {
         assertThat(messagesFor(file))
                 .contains("import org.robonewbie.agent.Agent;", "import org.robonewbie.nao.Joint;", "2 errors")
                 .doesNotContain("Did you mean", "symbol:   method run", "symbol:   variable nao");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"import java.util.Scaner;", "import java.utl.Scanner;", ""})
+    void otherUnknownClassIsToldTooAndOnlyOnce(String imports) throws IOException {
+        String joint = imports.isEmpty() ? "Joint joint; " : "";
+
+        String messages = messagesFor(imports, joint + "Thraed.sleep(5); Thraed one; new Tiemr(); tiemr();");
+
+        assertThat(messages)
+                .contains("3 errors", "Thraed", "symbol:   class Tiemr")
+                .doesNotContain("method tiemr");
+    }
+
+    @Test
+    void classesOfAMisspeltPackageAreLeftOut() throws IOException {
+        assertThat(messagesFor("import java.utl.*;", "Scanner one; Timer other;"))
+                .contains("1 error\n");
     }
 
     @ParameterizedTest

@@ -21,10 +21,7 @@ final class PageCalls {
     static @Nullable Object call(String owner, String name, @Nullable Object[] arguments) {
         return switch (owner) {
             case "java/lang/System" -> PageSystem.call(name, arguments);
-            case "java/lang/Math", "java/lang/StrictMath" ->
-                arguments.length > 0 && arguments[0] instanceof Double x
-                        ? mathematics(name, x, arguments.length > 1 ? arguments[1] : null)
-                        : SpecialCalls.UNKNOWN;
+            case "java/lang/Math", "java/lang/StrictMath" -> mathematics(name, arguments);
             case "java/util/Arrays" -> NumberArrays.arrays(name, arguments);
             case "org/robonewbie/agent/walk/WalkStyle" -> NumberArrays.walkStyle(name, arguments);
             case "org/robonewbie/team/tactics/Assignment" -> NumberArrays.assignment(name, arguments);
@@ -32,7 +29,21 @@ final class PageCalls {
         };
     }
 
-    /** Calls portable implementations, because the results of mathematical functions differ between browsers. */
+    private static Object mathematics(String name, @Nullable Object[] arguments) {
+        if (arguments.length > 0 && arguments[0] instanceof Double x) {
+            return mathematics(name, x, arguments.length > 1 ? arguments[1] : null);
+        }
+        return name.equals("round") && arguments[0] instanceof Float x ? round(x) : SpecialCalls.UNKNOWN;
+    }
+
+    private static int round(float x) {
+        return (int) Math.max(Integer.MIN_VALUE, Math.min(Integer.MAX_VALUE, PortableMath.round(x)));
+    }
+
+    /**
+     * Calls portable implementations: the results of mathematical functions differ between browsers, and TeaVM calculates some less exactly
+     * than the JVM.
+     */
     private static Object mathematics(String name, double x, @Nullable Object second) {
         return switch (name) {
             case "sin" -> PortableMath.sin(x);
@@ -44,6 +55,12 @@ final class PageCalls {
             case "exp" -> PortableMath.exp(x);
             case "log" -> PortableMath.log(x);
             case "log10" -> PortableMath.log10(x);
+            case "expm1" -> PortableMath.expm1(x);
+            case "log1p" -> PortableMath.log1p(x);
+            case "sinh" -> PortableMath.sinh(x);
+            case "cosh" -> PortableMath.cosh(x);
+            case "tanh" -> PortableMath.tanh(x);
+            case "cbrt" -> PortableMath.cbrt(x);
             case "toRadians" -> PortableMath.toRadians(x);
             case "toDegrees" -> PortableMath.toDegrees(x);
             case "rint" -> PortableMath.rint(x);

@@ -118,6 +118,60 @@ public final class PortableMath {
     }
 
     /**
+     * {@return e to the power of x, minus 1, exact near 0}
+     *
+     * @param x the exponent
+     */
+    public static double expm1(double x) {
+        return ExponentialMinus1.expm1(x);
+    }
+
+    /**
+     * {@return the natural logarithm of 1 + x, exact near 0; NaN below -1}
+     *
+     * @param x the number
+     */
+    public static double log1p(double x) {
+        return Logarithm1p.log1p(x);
+    }
+
+    /**
+     * {@return the hyperbolic sine}
+     *
+     * @param x the number
+     */
+    public static double sinh(double x) {
+        return Hyperbolic.sinh(x);
+    }
+
+    /**
+     * {@return the hyperbolic cosine}
+     *
+     * @param x the number
+     */
+    public static double cosh(double x) {
+        return Hyperbolic.cosh(x);
+    }
+
+    /**
+     * {@return the hyperbolic tangent, -1 to 1}
+     *
+     * @param x the number
+     */
+    public static double tanh(double x) {
+        return Hyperbolic.tanh(x);
+    }
+
+    /**
+     * {@return the cube root}
+     *
+     * @param x the number
+     */
+    public static double cbrt(double x) {
+        return CubeRoot.cbrt(x);
+    }
+
+    /**
      * {@return a number raised to the power of another, with the special cases of {@link Math#pow}}
      *
      * @param base the base

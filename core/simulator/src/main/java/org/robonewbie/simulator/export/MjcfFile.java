@@ -2,32 +2,42 @@ package org.robonewbie.simulator.export;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.Hinge;
-import org.robonewbie.nao.model.Link;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.robot.Motor;
+import org.robonewbie.robot.PlacedShape;
+import org.robonewbie.robot.RobotBody;
+import org.robonewbie.robot.RobotJoint;
+import org.robonewbie.robot.RobotModel;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * A robot in MuJoCo's format MJCF, with x forward, y left and z up. The names of motors and sensors are those of SimSpark's messages, such as
+ * A robot of the simulator in MuJoCo's format MJCF, with x forward, y left and z up. The names of motors and sensors are those of SimSpark's messages, such as
  * {@code lle4} and {@code llj4}. Bodies and joints equal those of the simulator; motors and contacts are only similar, because MuJoCo
  * computes both in another way.
  */
 public final class MjcfFile {
 
+    /** Name of the torso in exported files; SimSpark's {@code body} would say little there. */
+    static final String TORSO = "torso";
+
+    /** Names of the force sensors in SimSpark's messages by their links. */
+    private static final Map<String, String> FORCE_SENSORS =
+            Map.of("rfoot", "rf", "lfoot", "lf", "rtoe", "rf1", "ltoe", "lf1");
+
     private static final double TIMESTEP = 0.005;
     // Fitted to recordings of rcssserver3d by research/python/benchmarks/fit_mujoco.py.
-    private static final double STIFFNESS = 300;
-    private static final double STIFF_DAMPING = 5;
-    private static final double ARMATURE = 0.024;
-    private static final double DAMPING = 0.0004;
-    private static final String FRICTION = "0.63 0.008 0.0001";
-    private static final String SOLREF = "0.017 1";
-    private static final String SOLIMP = "0.865 0.99 0.001";
+    private static final double STIFFNESS = 660;
+    private static final double STIFF_DAMPING = 0.42;
+    private static final double ARMATURE = 0.027;
+    private static final double DAMPING = 0.0015;
+    private static final String FRICTION = "1.46 0.0044 0.0001";
+    private static final String SOLREF = "0.0165 1";
+    private static final String SOLIMP = "0.826 0.99 0.001";
     // Soft enough to walk, stiff enough to stand.
     private static final double SOFTNESS = 60;
     private static final double SOFT_DAMPING = 1;
@@ -37,47 +47,40 @@ public final class MjcfFile {
     private static final double GOAL_WALL = 0.04;
     private static final double BALL_X = 1;
 
-    private final RobotType type;
     private final MotorKind motors;
     private final ExportedScene scene;
-    private final LinkTree tree;
+    private final RobotModel robot;
     private final XmlText xml;
 
-    private MjcfFile(RobotType type, MotorKind motors, ExportedScene scene, String head) {
-        this.type = type;
+    private MjcfFile(RobotModel robot, MotorKind motors, ExportedScene scene, String head) {
+        this.robot = robot;
         this.motors = motors;
         this.scene = scene;
-        tree = new LinkTree(type);
         xml = new XmlText(head);
     }
 
     /**
      * Describes a robot on the ground, with all joints at 0.
      *
-     * @param type the robot type
+     * @param robot the robot; its bodies are parallel to their parents while all joints are at 0°
      * @param motors what the motors are given
      * @param scene what surrounds the robot
      * @param head text of the comment at the beginning, such as licence and version; without two hyphens in a row
      * @return the contents of the file
      */
-    public static String of(RobotType type, MotorKind motors, ExportedScene scene, String head) {
-        return new MjcfFile(type, motors, scene, head).written();
-    }
-
-    /** Returns the name of a robot in exported files, such as {@code nao0}. */
-    static String nameOf(RobotType type) {
-        return "nao" + type.ordinal();
+    public static String of(RobotModel robot, MotorKind motors, ExportedScene scene, String head) {
+        return new MjcfFile(robot, motors, scene, head).written();
     }
 
     private String written() {
-        xml.begin("mujoco", "model", nameOf(type));
+        xml.begin("mujoco", "model", robot.name());
         xml.add("compiler", "angle", "degree", "autolimits", "true");
         xml.add("option", "timestep", TIMESTEP, "integrator", "implicitfast");
         addDefaults();
         addAssets();
         xml.begin("worldbody");
         addGround();
-        addBody(tree.root());
+        addBody(0);
         if (scene == ExportedScene.PITCH) {
             addPitch(SoccerField.BEGINNER);
         }
@@ -185,73 +188,74 @@ public final class MjcfFile {
         xml.end("body");
     }
 
-    private void addBody(Link link) {
-        Vector3 centre = LinkTree.centre(link);
-        Vector3 position = tree.hinge(link)
-                .map(hinge -> centre.minus(LinkTree.centre(tree.parent(hinge))))
-                .orElse(new Vector3(0, 0, tree.standingHeight()));
-        xml.begin("body", "name", LinkTree.name(link), "pos", position);
-        tree.hinge(link).ifPresentOrElse(hinge -> addJoint(hinge, centre), this::addTorsoParts);
-        xml.add("inertial", "pos", Vector3.ZERO, "mass", link.massKg(), "diaginertia", LinkTree.inertia(link));
-        addGeometry(link);
-        tree.children(link).forEach(this::addBody);
+    /** Adds a body and the bodies that it carries. */
+    private void addBody(int index) {
+        RobotBody body = robot.bodies().get(index);
+        Vector3 place = index == 0
+                ? new Vector3(0, 0, robot.stanceHeight())
+                : body.pose().position();
+        xml.begin("body", "name", index == 0 ? TORSO : body.name(), "pos", place);
+        if (index == 0) {
+            xml.add("freejoint", "name", "root");
+            xml.add("site", "name", TORSO);
+        }
+        robot.joints().stream().filter(joint -> joint.body() == index).forEach(this::addJoint);
+        xml.add(
+                "inertial",
+                "pos",
+                body.inertialPose().position(),
+                "mass",
+                body.massKg(),
+                "diaginertia",
+                body.inertia());
+        body.shapes().forEach(placed -> addShape(body, placed));
+        for (int i = index + 1; i < robot.bodies().size(); i++) {
+            if (robot.bodies().get(i).parent() == index) {
+                addBody(i);
+            }
+        }
         xml.end("body");
     }
 
-    private void addTorsoParts() {
-        xml.add("freejoint", "name", "root");
-        xml.add("site", "name", LinkTree.TORSO);
+    private void addJoint(RobotJoint joint) {
+        String range = XmlText.numbers(joint.minDegrees(), joint.maxDegrees());
+        xml.add("joint", "name", joint.perceptorName(), "pos", joint.anchor(), "axis", joint.axis(), "range", range);
     }
 
-    private void addJoint(Hinge hinge, Vector3 centre) {
-        xml.add(
-                "joint",
-                "name",
-                hinge.perceptorName(),
-                "pos",
-                LinkTree.anchor(hinge).minus(centre),
-                "axis",
-                LinkTree.axis(hinge),
-                "range",
-                XmlText.numbers(hinge.minDegrees(), hinge.maxDegrees()));
-    }
-
-    private void addGeometry(Link link) {
-        String look = link.collides() ? "material" : "class";
-        String value = link.collides() ? (link.name().endsWith("thigh") ? "team" : "white") : "inner";
-        if (link.shape() instanceof Shape.Box) {
-            xml.add("geom", "type", "box", "size", LinkTree.size(link).times(0.5), look, value);
-        } else if (link.shape() instanceof Shape.Capsule capsule) {
+    private void addShape(RobotBody body, PlacedShape placed) {
+        String look = placed.collides() ? "material" : "class";
+        String value = placed.collides() ? (body.name().endsWith("thigh") ? "team" : "white") : "inner";
+        if (placed.shape() instanceof Shape.Box box) {
+            xml.add("geom", "type", "box", "size", box.size().times(0.5), look, value);
+        } else if (placed.shape() instanceof Shape.Capsule capsule) {
             String size = XmlText.numbers(capsule.radius(), capsule.length() / 2);
             xml.add("geom", "type", "capsule", "size", size, look, value);
         } else {
-            xml.add("geom", "type", "sphere", "size", LinkTree.radius(link.shape()), look, value);
+            xml.add("geom", "type", "sphere", "size", ((Shape.Sphere) placed.shape()).radius(), look, value);
         }
-        if (link.name().equals("head")) {
+        if (body.name().equals("head")) {
             xml.add("site", "name", "camera");
         }
-        if (link.name().endsWith("foot")) {
+        if (FORCE_SENSORS.containsKey(body.name())) {
             Vector3 margin = new Vector3(SENSOR_MARGIN, SENSOR_MARGIN, SENSOR_MARGIN);
-            Vector3 half = LinkTree.size(link).times(0.5).plus(margin);
-            xml.add("site", "name", link.name(), "type", "box", "size", half, "rgba", "0 0 0 0");
+            Vector3 half = placed.shape().size().times(0.5).plus(margin);
+            xml.add("site", "name", body.name(), "type", "box", "size", half, "rgba", "0 0 0 0");
         }
     }
 
     private void addMotors() {
         xml.begin("actuator");
-        for (Hinge hinge : tree.hinges()) {
-            addMotor(hinge);
-        }
+        robot.joints().forEach(this::addMotor);
         xml.end("actuator");
     }
 
-    private void addMotor(Hinge hinge) {
+    private void addMotor(RobotJoint joint) {
         String torque = XmlText.numbers(-Robot.MAX_TORQUE, Robot.MAX_TORQUE);
         String angles =
-                XmlText.numbers(PortableMath.toRadians(hinge.minDegrees()), PortableMath.toRadians(hinge.maxDegrees()));
-        String speeds = XmlText.numbers(-hinge.maxRadiansPerSecond(), hinge.maxRadiansPerSecond());
+                XmlText.numbers(PortableMath.toRadians(joint.minDegrees()), PortableMath.toRadians(joint.maxDegrees()));
+        String speeds = XmlText.numbers(-maxRadiansPerSecond(joint), maxRadiansPerSecond(joint));
         List<Object> attributes =
-                new ArrayList<>(List.of("name", hinge.effectorName(), "joint", hinge.perceptorName()));
+                new ArrayList<>(List.of("name", joint.effectorName(), "joint", joint.perceptorName()));
         switch (motors) {
             // It holds its angle while the speed is 0, as in SimSpark; MuJoCo's element "velocity" would give way.
             case SPEED ->
@@ -274,6 +278,11 @@ public final class MjcfFile {
         xml.add(element(), attributes.toArray());
     }
 
+    /** Returns the maximum speed of a motor that is commanded by speed. */
+    static double maxRadiansPerSecond(RobotJoint joint) {
+        return PortableMath.toRadians(((Motor.Speed) joint.motor()).maxDegreesPerSecond());
+    }
+
     private String element() {
         return switch (motors) {
             case SPEED -> "intvelocity";
@@ -284,18 +293,20 @@ public final class MjcfFile {
 
     private void addSensors() {
         xml.begin("sensor");
-        xml.add("gyro", "name", "torso_gyro", "site", LinkTree.TORSO);
-        xml.add("accelerometer", "name", "torso_acc", "site", LinkTree.TORSO);
-        xml.add("framepos", "name", "torso_pos", "objtype", "site", "objname", LinkTree.TORSO);
-        xml.add("framequat", "name", "torso_quat", "objtype", "site", "objname", LinkTree.TORSO);
-        for (String side : new String[] {"r", "l"}) {
-            xml.add("touch", "name", side + "f", "site", side + "foot");
+        xml.add("gyro", "name", "torso_gyro", "site", TORSO);
+        xml.add("accelerometer", "name", "torso_acc", "site", TORSO);
+        xml.add("framepos", "name", "torso_pos", "objtype", "site", "objname", TORSO);
+        xml.add("framequat", "name", "torso_quat", "objtype", "site", "objname", TORSO);
+        for (RobotBody body : robot.bodies()) {
+            if (FORCE_SENSORS.containsKey(body.name())) {
+                xml.add("touch", "name", FORCE_SENSORS.get(body.name()), "site", body.name());
+            }
         }
-        for (Hinge hinge : tree.hinges()) {
-            xml.add("jointpos", "name", hinge.perceptorName(), "joint", hinge.perceptorName());
+        for (RobotJoint joint : robot.joints()) {
+            xml.add("jointpos", "name", joint.perceptorName(), "joint", joint.perceptorName());
         }
-        for (Hinge hinge : tree.hinges()) {
-            xml.add("jointvel", "name", hinge.perceptorName() + "_speed", "joint", hinge.perceptorName());
+        for (RobotJoint joint : robot.joints()) {
+            xml.add("jointvel", "name", joint.perceptorName() + "_speed", "joint", joint.perceptorName());
         }
         xml.end("sensor");
     }

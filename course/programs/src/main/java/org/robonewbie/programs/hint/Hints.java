@@ -1,6 +1,5 @@
 package org.robonewbie.programs.hint;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -9,6 +8,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.robonewbie.nao.text.Spelling;
 
 /**
@@ -26,6 +26,10 @@ public final class Hints {
      * it.
      */
     private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
+
+    /** Matches the message for an unknown class; before a dot, the compiler takes it for a variable. */
+    private static final Pattern UNKNOWN_CLASS =
+            Pattern.compile("symbol: +(?:class|variable [A-Z]\\w*[a-z])|" + TAKEN_FOR_PACKAGE.pattern());
 
     /** Matches the name in an import declaration: a package followed by a class or an asterisk. */
     private static final Pattern IMPORTED = Pattern.compile("((?:[a-z_]\\w*\\.)+)([A-Z]\\w*|\\*)");
@@ -86,6 +90,11 @@ public final class Hints {
             return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
         }
 
+        /** Returns whether the diagnostic is about the simple name of a class; capitals alone are a constant. */
+        private boolean isUnknownClass() {
+            return UNKNOWN_CLASS.matcher(text).find();
+        }
+
         private String lastName() {
             Matcher taken = TAKEN_FOR_PACKAGE.matcher(text);
             if (taken.find()) {
@@ -123,30 +132,30 @@ public final class Hints {
 
     /**
      * Removes follow-up errors caused by missing or misspelt imports: the compiler also reports every later use of such a
-     * name.
+     * name, and every use of what a class inherits from it.
      *
      * @param all all diagnostics in the compiler's order
      * @param remark converts an element to a diagnostic
      * @param <R> the type of the elements
-     * @return the diagnostics about imports, without duplicates; all diagnostics if none is about imports
+     * @return the diagnostics about imports, and one about each other unknown class; all diagnostics if none is about
+     *     imports
      */
     public <R> List<R> withoutFollowUps(List<R> all, Function<? super R, Remark> remark) {
-        List<R> aboutImports = new ArrayList<>();
-        Set<String> named = new HashSet<>();
-        for (R each : all) {
-            Remark said = remark.apply(each);
-            if (said.isAboutImport()) {
-                named.add(said.lastName());
-                aboutImports.add(each);
-            }
+        List<Remark> imports =
+                all.stream().map(remark).filter(Remark::isAboutImport).toList();
+        if (imports.isEmpty()
+                && all.stream().map(remark).map(this::missingImport).noneMatch(Optional::isPresent)) {
+            return all;
         }
-        for (R each : all) {
-            Remark said = remark.apply(each);
-            if (missingImport(said).isPresent() && named.add(said.lastName())) {
-                aboutImports.add(each);
-            }
-        }
-        return aboutImports.isEmpty() ? all : aboutImports;
+        boolean isAnyClassImported = imports.stream().anyMatch(Remark::isWholePackage);
+        Set<String> named = imports.stream().map(Remark::lastName).collect(Collectors.toCollection(HashSet::new));
+        return all.stream()
+                .filter(each -> {
+                    Remark said = remark.apply(each);
+                    boolean isOther = missingImport(said).isPresent() || (!isAnyClassImported && said.isUnknownClass());
+                    return said.isAboutImport() || (isOther && named.add(said.lastName()));
+                })
+                .toList();
     }
 
     /**

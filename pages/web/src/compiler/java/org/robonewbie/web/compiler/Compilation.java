@@ -37,6 +37,7 @@ final class Compilation {
         Options options = Options.instance(context);
         options.put(Option.PROC, "none");
         options.put(Option.G, "");
+        options.put("should-stop.ifError", "FLOW");
     }
 
     /**

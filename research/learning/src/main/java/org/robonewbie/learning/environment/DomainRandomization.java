@@ -45,8 +45,8 @@ public final class DomainRandomization {
         BALL_X("start position of the ball, metres"),
         BALL_Y(BALL_X.meaning),
         PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
-        DELAY("additional cycles until an action reaches the motors", 0, 1000),
-        CYCLES("cycles per action (1); their rewards are added", 1, 1000),
+        DELAY("additional cycles until an action reaches the motors", 0, 1000, true),
+        CYCLES("cycles per action (1); their rewards are added", 1, 1000, true),
         NOISE(
                 "standard deviation of additional noise of joint angles (degrees), gyro (degrees/s) and accelerometer (m/s2)",
                 0,
@@ -65,21 +65,27 @@ public final class DomainRandomization {
         SLOW("in gait tasks: share of the later commands that slow down", 0, 1),
         TOLERANCE("in gait tasks: velocity error at which the reward is 0, m/s", 0.01, MAX),
         CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
-        TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4),
+        TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4, true),
         SECONDS("in gait tasks: duration of an episode, seconds (9)", 0.02, MAX);
 
         private final String meaning;
         private final double min;
         private final double max;
+        private final boolean whole;
 
         Name(String meaning) {
             this(meaning, -MAX, MAX);
         }
 
         Name(String meaning, double min, double max) {
+            this(meaning, min, max, false);
+        }
+
+        Name(String meaning, double min, double max, boolean whole) {
             this.meaning = meaning;
             this.min = min;
             this.max = max;
+            this.whole = whole;
         }
 
         static Name of(String word) {
@@ -121,6 +127,14 @@ public final class DomainRandomization {
         }
 
         private Range within(Name name, String text) {
+            if (name.whole && (low != Math.rint(low) || high != Math.rint(high))) {
+                throw new IllegalArgumentException(
+                        "The option " + name.word() + "=" + text + " is not a whole number. Use one, such as 2.");
+            }
+            if (name == Name.CYCLES && low != high) {
+                throw new IllegalArgumentException("The option " + name.word() + "=" + text
+                        + " is a range, but all actions last equally long. Use a single number.");
+            }
             if (low < name.min || high > name.max) {
                 throw new IllegalArgumentException("The option " + name.word() + "=" + text + " is not between "
                         + name.min + " and " + name.max + ".");

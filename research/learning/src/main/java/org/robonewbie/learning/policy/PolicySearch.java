@@ -34,6 +34,9 @@ import org.robonewbie.trial.batch.Journal;
  */
 public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path output) {
 
+    private static final long MAX_SEED = 1_000_000_000;
+    private static final long EPISODES_PER_SEED = 1_000_000;
+
     /** {@return the file of the learning curve, a CSV file beside the policy} */
     public Path curve() {
         return beside(".csv");
@@ -59,8 +62,29 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
      * @throws IllegalArgumentException if the policy was learned for another task
      */
     public static RolloutStatistics evaluate(PolicyModel model, int episodes, Policy policy) throws IOException {
+        return evaluate(model, episodes, 1, policy);
+    }
+
+    /**
+     * Evaluates a policy in one of many disjoint sets of episodes, none of which a search uses.
+     *
+     * @param model the task
+     * @param episodes the number of episodes, at most 1,000,000
+     * @param seed chooses the episodes, 1 to 1,000,000,000; {@link #evaluate(PolicyModel, int, Policy)} uses 1
+     * @param policy the policy that acts in the episodes
+     * @return the statistics of the episodes
+     * @throws IOException if an episode cannot be played
+     * @throws IllegalArgumentException if the policy was learned for another task, or the seed is out of range
+     */
+    public static RolloutStatistics evaluate(PolicyModel model, int episodes, long seed, Policy policy)
+            throws IOException {
+        if (seed < 1 || seed > MAX_SEED) {
+            throw new IllegalArgumentException(
+                    "The seed of an evaluation must be between 1 and " + MAX_SEED + ", not " + seed + ".");
+        }
+        long first = -1 - (seed - 1) * EPISODES_PER_SEED;
         try (RolloutWorkers workers = new RolloutWorkers(model)) {
-            return workers.play(episodes, i -> policy, i -> -1L - i);
+            return workers.play(episodes, i -> policy, i -> first - i);
         }
     }
 

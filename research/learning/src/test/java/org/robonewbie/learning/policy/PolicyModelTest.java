@@ -106,6 +106,19 @@ class PolicyModelTest {
     }
 
     @Test
+    void seedChoosesTheEpisodesOfAnEvaluation() throws IOException {
+        PolicyModel stand = model("Stand");
+        Policy policy = stand.policy(List.of(), stand.initial(1));
+
+        RolloutStatistics usual = PolicySearch.evaluate(stand, 4, policy);
+
+        assertThat(PolicySearch.evaluate(stand, 4, 1, policy)).isEqualTo(usual);
+        assertThat(PolicySearch.evaluate(stand, 4, 9001, policy)).isNotEqualTo(usual);
+        assertThatThrownBy(() -> PolicySearch.evaluate(stand, 4, 0, policy))
+                .hasMessage("The seed of an evaluation must be between 1 and 1000000000, not 0.");
+    }
+
+    @Test
     void refusesWhatCannotBeLearned() {
         assertThatThrownBy(() -> model("Match1v1"))
                 .hasMessage("Match1v1 trains several robots; choose a task for a single robot.");
