@@ -22,8 +22,9 @@ from .model import model_path
 TYPES = range(5)
 CYCLE_SECONDS = 0.02
 MAX_TORQUE = 10
-# Soft enough to walk on the server's ground.
-STIFFNESS, DAMPING, ARMATURE = 60, 1, 0.01
+# More damping than in the exported model, where a target moves in each step of the physics; here it moves once per cycle, and without damping
+# the robot falls.
+STIFFNESS, DAMPING = 300, 5
 # A target that runs further ahead of its joint makes the robot jerk as soon as the joint is free again.
 MAX_LEAD_DEGREES = 5
 MAX_MESSAGE_BYTES = 1 << 20
@@ -87,9 +88,7 @@ def server_model(kind):
             ElementTree.SubElement(body, "site", name=f"{body.get('name')}-vismarker")
         if body.get("name").endswith("lowerarm"):
             body.find("geom").set("name", f"{body.get('name')[0]}forearm")  # the referee looks for this word
-    joint = root.find("default/joint")
-    joint.set("armature", str(ARMATURE))
-    joint.set("actuatorfrcrange", f"{-MAX_TORQUE} {MAX_TORQUE}")
+    root.find("default/joint").set("actuatorfrcrange", f"{-MAX_TORQUE} {MAX_TORQUE}")
     _take_over_contacts(root)
     _replace_motors(root.find("actuator"))
     ElementTree.indent(root)

@@ -96,8 +96,8 @@ class TranslatorTest(unittest.TestCase):
         first = self.translator.action(b"(lae1 1)(syn)")
         second = self.translator.action(b"(syn)")
 
-        self.assertIn(b"(lae1 1.146 57.296 60 1 0)", first)
-        self.assertIn(b"(lae1 2.292 57.296 60 1 0)", second)
+        self.assertIn(b"(lae1 1.146 57.296 300 5 0)", first)
+        self.assertIn(b"(lae1 2.292 57.296 300 5 0)", second)
 
     def test_target_stays_near_the_joint_and_within_its_range(self):
         for _ in range(50):
