@@ -334,7 +334,7 @@ def main(arguments=None):
             serve(listener, options.server)
     except KeyboardInterrupt:
         return 0
-    except (LeagueError, OSError) as wrong:
+    except (LeagueError, OSError, OverflowError) as wrong:
         print(f"robonewbie.league: {wrong}", file=sys.stderr)
         return 2
     return 0
