@@ -17,12 +17,13 @@ import gymnasium
 import mujoco
 import numpy as np
 
-import robonewbie  # noqa: F401 registers the tasks
+import robonewbie
 from robonewbie import simulator
 
 HERE = Path(__file__).resolve().parent
 ROBOTS = 64
 CYCLE_SECONDS = 0.02
+LIMBS = {"he": 2, "lae": 4, "lle": 6, "rle": 6, "rae": 4}  # in the order of the Java enum Joint
 
 
 def spent(process=None):
@@ -48,6 +49,23 @@ def mujoco_steps(integrator, timestep, steps=12_000):
         data.ctrl[:] = action
         mujoco.mj_step(model, data)
     return (spent() - before) * 1e6 / steps * CYCLE_SECONDS / timestep
+
+
+def mujoco_nao(steps=20_000):
+    """Returns the time that MuJoCo needs for 20 ms of the exported NAO, which moves like the robot in TrialSpeed.java."""
+    model = mujoco.MjModel.from_xml_path(robonewbie.model_path("nao0"))
+    data = mujoco.MjData(model)
+    names = [f"{limb}{i + 1}" for limb, count in LIMBS.items() for i in range(count)]
+    motors = [model.actuator(name).id for name in names]
+    joints = np.arange(model.nu)
+    substeps = round(CYCLE_SECONDS / model.opt.timestep)
+    before = spent()
+    for i in range(steps):
+        if i % 250 == 0:
+            mujoco.mj_resetData(model, data)
+        data.ctrl[motors] = np.radians(10 * np.cos((i + 1) / 8 + joints))
+        mujoco.mj_step(model, data, substeps)
+    return (spent() - before) * 1e6 / steps
 
 
 def humanoid(steps=2000):
@@ -106,6 +124,7 @@ def measure():
     """Measures one round; yields the name and the value of each row."""
     yield "MuJoCo's mj_step, Humanoid, RK4 of 3 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_RK4, 0.003)
     yield "the same, Euler of 5 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_EULER, 0.005)
+    yield "MuJoCo's mj_step, our NAO, 4 steps of 5 ms", mujoco_nao()
     alone = trial()
     yield "engine: one moving robot, no camera", alone["step"]
     yield "Gymnasium's Humanoid-v5, random actions", humanoid()

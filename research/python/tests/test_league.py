@@ -1,0 +1,181 @@
+"""The NAO on RCSSServerMJ; tests on a real server are skipped without it (pip install rcsssmj==0.2.1)."""
+
+import importlib.util
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from robonewbie import league
+from robonewbie.simulator import _command
+
+SERVER = importlib.util.find_spec("rcsssmj")
+ROBOT = """
+import org.robonewbie.agent.Agent;
+import org.robonewbie.nao.Joint;
+
+public class MyRobot extends Agent {
+    public static void main(String[] args) { new MyRobot().run(args); }
+
+    @Override
+    protected void think() {
+        double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH);
+        nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0);
+    }
+}
+"""
+WALKER = """
+import org.robonewbie.agent.Agent;
+
+public class Walker extends Agent {
+    public static void main(String[] args) { new Walker().run(args); }
+
+    @Override
+    protected void think() {
+        walk.towards(0.2, 0, 0);
+    }
+}
+"""
+
+
+class InstallTest(unittest.TestCase):
+    def test_each_robot_has_what_the_server_looks_for(self):
+        for kind in league.TYPES:
+            root = ElementTree.fromstring(league.server_model(kind))
+            motors = {motor.get("name") for motor in root.find("actuator")}
+            sites = {site.get("name") for site in root.iter("site")}
+
+            self.assertEqual([body.get("name") for body in root.find("worldbody")], ["torso"])
+            self.assertTrue({"lle4_tau", "lle4_pos", "lle4_vel"} <= motors)
+            self.assertEqual(len(motors), 3 * len(league.ranges(kind)))
+            self.assertTrue({"torso", "camera", "head-vismarker"} <= sites)
+            self.assertEqual(root.find("sensor/gyro").get("site"), "torso")
+
+    def test_files_are_written_into_the_server_with_their_licence(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "resources", "robots").mkdir(parents=True)
+
+            files = league.install(folder)
+
+            self.assertEqual([file.parent.name for file in files], ["NAO0", "NAO1", "NAO2", "NAO3", "NAO4"])
+            self.assertTrue(all("Apache-2.0" in file.read_text(encoding="utf-8") for file in files))
+
+    def test_unknown_server_is_refused_unchanged(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(league.LeagueError, "Install rcsssmj==0.2.1"):
+                league.install(folder)
+
+            self.assertEqual(list(Path(folder).iterdir()), [])
+
+
+class TranslatorTest(unittest.TestCase):
+    def setUp(self):
+        self.translator = league.Translator(0, b"Blue", 2)
+
+    def test_senses_are_translated(self):
+        translated = self.translator.perception(
+            b"(time (now 1.5))(GS (t 0.0)(pm BeforeKickOff)(tl Red)(tr Blue)(sl 0)(sr 0))(pos (n torso_pos) (p 1.0 2.0 0.3))"
+            b"(GYR (n torso_gyro) (rt 1.0 2.0 3.0))(ACC (n torso_acc) (a -0.0 0.5 9.81))(TCH n lf val 22)(TCH n rf val 0)"
+            b"(HJ (n laj1)(ax 30.5)(vx 1.0))(See (g_rup (pol 9.0 1.0 2.0))(t_cuf (pol 1.0 2.0 3.0))(B (pol 2.0 3.0 4.0)))"
+        )
+
+        self.assertEqual(
+            translated,
+            b"(time (now 1.5))(GS (unum 2)(team right)(t 0.0)(pm BeforeKickOff)(tl Red)(tr Blue)(sl 0)(sr 0))"
+            b"(GYR (n torso) (rt -2.00 1.00 3.00))(ACC (n torso) (a -0.50 -0.00 9.81))(FRP (n lf) (c 0 0 -0.01) (f 0 0 22))"
+            b"(HJ (n laj1) (ax 30.5))(See (G1R (pol 9.0 1.0 2.0))(B (pol 2.0 3.0 4.0)))",
+        )
+
+    def test_motor_keeps_its_speed(self):
+        first = self.translator.action(b"(lae1 1)(syn)")
+        second = self.translator.action(b"(syn)")
+
+        self.assertIn(b"(lae1 1.146 57.296 300 5 0)", first)
+        self.assertIn(b"(lae1 2.292 57.296 300 5 0)", second)
+
+    def test_target_stays_near_the_joint_and_within_its_range(self):
+        for _ in range(50):
+            ahead = self.translator.action(b"(lae1 6)(rle1 6)(syn)")
+
+        self.assertIn(b"(lae1 5.000 ", ahead)
+        self.assertIn(b"(rle1 1.000 ", ahead)
+
+    def test_messages_that_would_end_or_reset_the_server_do_not_reach_it(self):
+        sent = self.translator.action(b"(foo 1 2 3 4 5)(xxe9 1)(beam nan 0 0)(lae1 1e999)(rae1 1e30)(say hello)(say (x))")
+
+        names = {name for name in re.findall(rb"\((\w+) ", sent)}
+        self.assertEqual(names, set(league.ranges(0)) | {b"SPK"})
+        self.assertNotRegex(sent, rb"nan|inf|e\d\d")
+
+
+@unittest.skipUnless(SERVER, "rcsssmj is not installed")
+class ServerTest(unittest.TestCase):
+    """Each test has a server and a bridge of its own; agents are Java programs."""
+
+    def setUp(self):
+        league.install()
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        ports = [_free_port() for _ in range(2)]
+        options = [f"--aport={ports[0]}", f"--mport={ports[1]}", "--sync", "--no-realtime", "--no-render"]
+        self.server = subprocess.Popen(
+            [sys.executable, "-m", "rcsssmj", *options], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        )
+        self.addCleanup(self._end_server)
+        for line in self.server.stderr:
+            if "agent" in line.lower() and str(ports[0]) in line:
+                break
+        self.messages = []
+        listener = socket.create_server(("127.0.0.1", 0))
+        self.addCleanup(listener.close)
+        self.port = listener.getsockname()[1]
+        bridge = (listener, ("127.0.0.1", ports[0]), self.messages.append)
+        threading.Thread(target=league.serve, args=bridge, daemon=True).start()
+
+    def _end_server(self):
+        self.server.send_signal(signal.SIGINT)
+        self.server.communicate(timeout=30)
+
+    def _run(self, name, source, seconds):
+        file = self.folder / f"{name}.java"
+        file.write_text(source, encoding="utf-8")
+        options = ["--host", "127.0.0.1", "--port", str(self.port), "--seconds", str(seconds), "--headless"]
+        done = subprocess.run([*_command(), "run", str(file), *options], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def _readings(self, pattern):
+        """Returns the numbers that a sensor has sent from the start of the program until its end."""
+        found = [re.search(pattern, message) for message in self.messages]
+        return [[float(number) for number in each.groups()] for each in found if each]
+
+    def test_first_program_of_the_readme_raises_the_arm(self):
+        self._run("MyRobot", ROBOT, 3)
+
+        ((angle,),) = self._readings(rb"\(HJ \(n laj1\)\(ax ([-\d.]+)\)")[-1:]
+        self.assertGreater(angle, 29.5)
+        self.assertLess(angle, 32)
+
+    def test_walk_goes_forward_upright(self):
+        self._run("Walker", WALKER, 12)
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
+        distance = places[-1][0] - places[0][0]
+        self.assertGreater(distance, 1.2)
+        self.assertLess(distance, 3)
+        self.assertGreater(min(place[2] for place in places[50:]), 0.3)
+
+
+def _free_port():
+    with socket.create_server(("127.0.0.1", 0)) as probe:
+        return probe.getsockname()[1]
+
+
+if __name__ == "__main__":
+    unittest.main()
