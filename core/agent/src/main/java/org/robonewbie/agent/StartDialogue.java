@@ -41,7 +41,13 @@ final class StartDialogue {
         robot.sensors().setTeam(options.team());
         robot.sensors().setType(options.robotType());
         answer(Optional.of(CreateRobot.of(options.type())));
-        receive();
+        if (!port.receive()) {
+            throw new IOException(
+                    "it closed the connection at the first message. Either it has too many agents, or it is"
+                            + " RCSSServerMJ, the server of today's league, which does not speak SimSpark's protocol: start"
+                            + " \"robonewbie simulator\" instead, or play there through \"python -m robonewbie.league bridge\".");
+        }
+        robot.sense(port.message());
         atFirstMessage.run();
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();

@@ -83,6 +83,18 @@ class StartDialogueTest {
     }
 
     @Test
+    void saysWhichServerEndsAtTheFirstMessage() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(List.of())) {
+            Options options = options(server);
+
+            assertThatThrownBy(() -> Nao.connect(options))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageContaining("RCSSServerMJ")
+                    .hasMessageContaining("robonewbie.league bridge");
+        }
+    }
+
+    @Test
     void saysWhatToDoWithoutAServer() throws IOException {
         int freePort;
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
