@@ -3,9 +3,12 @@ import { isDeepStrictEqual } from 'node:util';
 import { slow } from '../tests.js';
 import { openStudio } from '../user.js';
 
-/** Opens the Field room with a puppet in a world that stands still. */
+/**
+ * Opens the Field room with a puppet in a world that stands still. The page is so high that the tools need no scrolling: for a moment after
+ * it, a coarse page takes a click near the lower edge of the panel for one on the panel itself.
+ */
 async function openField(t) {
-  const studio = await openStudio(t, { speed: 2 });
+  const studio = await openStudio(t, { speed: 2, height: 1200 });
   const { user } = studio;
   await user.clicks('button', 'Tools ▾');
   await user.clicks('button', 'Add a puppet');
