@@ -9,8 +9,10 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.league.LeaguePort;
 import org.robonewbie.agent.running.ConnectTimeoutHint;
 import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.DeadlineMonitor;
@@ -20,6 +22,7 @@ import org.robonewbie.agent.running.RobotThreads;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** Runs the agents of one program in the same game. */
 final class AgentRunner {
@@ -75,7 +78,7 @@ final class AgentRunner {
             JoinTurn turn)
             throws IOException {
         robot.telemetry().publishTo(simulator.telemetry());
-        LinkPort port = new LinkPort(link, robot.sensors().buffer());
+        MessagePort port = port(robot, link, options);
         try (ConnectTimeoutHint notice = ConnectTimeoutHint.of(simulator.place())) {
             new StartDialogue(port, robot, options)
                     .run(
@@ -87,6 +90,14 @@ final class AgentRunner {
         }
         OptionalDouble life = simulator.isServer() ? options.seconds() : OptionalDouble.empty();
         return new Session(robot, new DeadlineMonitor(port, robot, watch::slowPlace, System::nanoTime), life, watch);
+    }
+
+    private static MessagePort port(RobotRuntime robot, AgentLink link, Options options) {
+        MessageBuffer received = robot.sensors().buffer();
+        return options.leagueRobot()
+                .<MessagePort>map(model -> new LeaguePort(
+                        link, received, model, options.team(), Math.max(1, options.number()), robot.diagnostics()))
+                .orElseGet(() -> new LinkPort(link, received));
     }
 
     private static void check(List<Agent> agents) {

@@ -16,6 +16,10 @@ enum Option {
             Values.wholeNumber(0, 11)),
     POSE("X,Y,DEGREES", "starting pose: metres, own half has x <= 0; 0 degrees faces the opponents' goal", Values.POSE),
     TYPE("N", "robot type, 0 to 4", Values.wholeNumber(0, 4)),
+    ROBOT(
+            "NAME",
+            "NAO, or T1 or K1 to play on RCSSServerMJ, the server of today's league (port 60000)",
+            Values.oneOf("NAO", "T1", "K1")),
     SEED("N", "start an embedded simulator with this random seed", Values.LONG),
     FAST("", "start an embedded simulator that runs as fast as possible", Values.FLAG),
     SECONDS("T", "end the run after T simulated seconds", Values.POSITIVE),

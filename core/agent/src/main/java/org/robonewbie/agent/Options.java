@@ -14,6 +14,9 @@ import java.util.stream.Collectors;
 import org.robonewbie.agent.running.Surroundings;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.robot.BoosterK1;
+import org.robonewbie.robot.BoosterT1;
+import org.robonewbie.robot.RobotModel;
 
 /**
  * The options that every agent accepts: simulator, team, number, starting pose and others. The sources, in descending
@@ -241,6 +244,15 @@ public final class Options {
     /** {@return the robot type, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
     public int type() {
         return text(Option.TYPE).map(Integer::valueOf).orElse(0);
+    }
+
+    /** {@return the robot of today's league to play with; empty for a NAO} */
+    Optional<RobotModel> leagueRobot() {
+        return switch (text(Option.ROBOT).orElse("NAO")) {
+            case "T1" -> Optional.of(BoosterT1.MODEL);
+            case "K1" -> Optional.of(BoosterK1.MODEL);
+            default -> Optional.empty();
+        };
     }
 
     RobotType robotType() {

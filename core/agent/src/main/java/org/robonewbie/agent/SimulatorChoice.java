@@ -12,6 +12,7 @@ final class SimulatorChoice {
 
     private static final String THIS_COMPUTER = "127.0.0.1";
     private static final int DEFAULT_PORT = 3100;
+    private static final int LEAGUE_PORT = 60000;
     private static final List<Option> ONLY_OWN_SIMULATOR =
             List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR, Option.SCENE);
 
@@ -21,6 +22,10 @@ final class SimulatorChoice {
     static void check(Options options) {
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {
+            if (options.leagueRobot().isPresent() && options.strength(own) >= 0) {
+                throw new StartUpException(own.argument() + " needs an embedded simulator, which has NAOs only: remove"
+                        + " it, or leave out " + Option.ROBOT.argument() + ".");
+            }
             if (server >= 0 && options.strength(own) == server) {
                 throw new StartUpException(own.argument() + " needs an embedded simulator, but --host "
                         + options.host().orElse("") + " selects a server: remove one of the two options.");
@@ -31,13 +36,17 @@ final class SimulatorChoice {
     /** Selects the simulator; an embedded one starts its clock only when all robots have joined. */
     static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
-        int defaultPort = kind == WantedSimulator.Kind.OWN ? 0 : DEFAULT_PORT;
+        int serverPort = options.leagueRobot().isPresent() ? LEAGUE_PORT : DEFAULT_PORT;
+        int defaultPort = kind == WantedSimulator.Kind.OWN ? 0 : serverPort;
         int port = options.port().orElse(defaultPort);
         String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
         return new WantedSimulator(kind, host, port, request(options, port, robots, agent));
     }
 
     private static WantedSimulator.Kind kind(Options options) {
+        if (options.leagueRobot().isPresent()) {
+            return WantedSimulator.Kind.SERVER;
+        }
         int own = ONLY_OWN_SIMULATOR.stream().mapToInt(options::strength).max().orElse(-1);
         int server = options.strength(Option.HOST);
         if (own == server) {

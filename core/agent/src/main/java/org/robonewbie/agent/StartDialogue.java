@@ -19,7 +19,6 @@ import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 final class StartDialogue {
 
     private static final int MAX_MESSAGES = 100;
-    private static final int MESSAGES_TO_SETTLE = 15;
 
     private final MessagePort port;
     private final RobotRuntime robot;
@@ -52,7 +51,7 @@ final class StartDialogue {
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();
         answer(Optional.of(new Beam(options.pose(robot.sensors().number()))));
-        for (int i = 0; i < MESSAGES_TO_SETTLE; i++) {
+        for (int i = 0; i < port.messagesToSettle(); i++) {
             receive();
             answer(Optional.empty());
             if (i == 0) {

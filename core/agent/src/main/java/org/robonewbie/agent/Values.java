@@ -1,6 +1,7 @@
 package org.robonewbie.agent;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.DoublePredicate;
 import java.util.function.Predicate;
 import org.robonewbie.nao.math.PortableMath;
@@ -26,6 +27,10 @@ record Values(String expected, Predicate<String> condition) {
     static final Values POSITIVE = new Values("a number above 0", value -> isNumber(value, number -> number > 0));
 
     static final Values POSE = new Values("three numbers X,Y,DEGREES such as -0.5,0.4,-40", Values::isPose);
+
+    static Values oneOf(String... words) {
+        return new Values("one of " + String.join(", ", words), List.of(words)::contains);
+    }
 
     static Values wholeNumber(int least, int most) {
         return new Values(

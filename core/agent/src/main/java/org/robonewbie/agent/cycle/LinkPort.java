@@ -51,12 +51,7 @@ public final class LinkPort implements MessagePort {
         link.send(answer);
     }
 
-    /**
-     * Checks whether the simulator has advanced without waiting for the robot's answer.
-     *
-     * @return whether the next message has already arrived
-     * @throws IOException if the connection is broken
-     */
+    @Override
     public boolean isLate() throws IOException {
         return link.isMessageWaiting();
     }

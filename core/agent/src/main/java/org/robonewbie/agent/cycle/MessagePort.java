@@ -27,6 +27,21 @@ public interface MessagePort extends AutoCloseable {
      */
     void send(List<EffectorCommand> commands) throws IOException;
 
+    /** {@return the number of messages from a beam until the robot stands still} */
+    default int messagesToSettle() {
+        return 15;
+    }
+
+    /**
+     * Checks whether the simulator has advanced without waiting for the robot's answer.
+     *
+     * @return whether the next message has already arrived
+     * @throws IOException if the connection is broken
+     */
+    default boolean isLate() throws IOException {
+        return false;
+    }
+
     @Override
     void close();
 }

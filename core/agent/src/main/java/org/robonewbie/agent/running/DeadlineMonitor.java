@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -23,7 +22,7 @@ public final class DeadlineMonitor implements MessagePort {
     private static final double SECONDS_BETWEEN_REPORTS = 10;
     private static final double MAX_SECONDS_BEHIND = 0.2;
 
-    private final LinkPort port;
+    private final MessagePort port;
     private final RobotRuntime robot;
     private final Supplier<String> slowPlace;
     private final LongSupplier nanoseconds;
@@ -42,7 +41,7 @@ public final class DeadlineMonitor implements MessagePort {
      *     string
      * @param nanoseconds the clock, such as {@link System#nanoTime}
      */
-    public DeadlineMonitor(LinkPort port, RobotRuntime robot, Supplier<String> slowPlace, LongSupplier nanoseconds) {
+    public DeadlineMonitor(MessagePort port, RobotRuntime robot, Supplier<String> slowPlace, LongSupplier nanoseconds) {
         this.port = port;
         this.robot = robot;
         this.slowPlace = slowPlace;

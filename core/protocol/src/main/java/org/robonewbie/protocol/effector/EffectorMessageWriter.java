@@ -176,7 +176,7 @@ public final class EffectorMessageWriter {
         }
     }
 
-    private static void checkWord(String what, String word) {
+    static void checkWord(String what, String word) {
         if (word.isEmpty()) {
             throw new IllegalArgumentException(what + " is empty. Use at least one character.");
         }

@@ -2,6 +2,7 @@ package org.robonewbie.protocol.perceptor;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import org.robonewbie.nao.Joint;
@@ -51,6 +52,22 @@ public final class JointAngles {
             all[joint.ordinal()] = degrees.applyAsDouble(joint);
         }
         return new JointAngles(all, ALL, extraHinges);
+    }
+
+    /**
+     * Creates readings with the angles of some joints.
+     *
+     * @param degrees angles in degrees
+     * @return the angles
+     */
+    public static JointAngles of(Map<Joint, Double> degrees) {
+        double[] all = new double[Joint.COUNT];
+        int present = 0;
+        for (Map.Entry<Joint, Double> joint : degrees.entrySet()) {
+            all[joint.getKey().ordinal()] = joint.getValue();
+            present |= 1 << joint.getKey().ordinal();
+        }
+        return new JointAngles(all, present, List.of());
     }
 
     /**

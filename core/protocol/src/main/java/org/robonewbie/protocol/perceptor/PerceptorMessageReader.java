@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -29,7 +30,7 @@ public final class PerceptorMessageReader {
 
     private final SexpReader reader = new SexpReader();
     private final KnownWords words = new KnownWords();
-    private final VisionReader visionReader = new VisionReader(reader, words);
+    private final VisionReader visionReader = new VisionReader(reader, words, Landmark::simSparkName);
     private final List<Heard> heard = new ArrayList<>();
     private final List<ExtraHinge> extraHinges = new ArrayList<>();
     private double[] jointAngles = new double[Joint.COUNT];

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
@@ -22,6 +24,7 @@ final class VisionReader {
 
     private final SexpReader reader;
     private final KnownWords words;
+    private final String[] landmarkNames;
     private final List<SeenLandmark> landmarks = new ArrayList<>();
     private final List<SeenPlayer> players = new ArrayList<>();
     private final List<SeenLine> lines = new ArrayList<>();
@@ -32,9 +35,10 @@ final class VisionReader {
     private OptionalDouble ownOrientation = OptionalDouble.empty();
     private Optional<Vector3> ballPosition = Optional.empty();
 
-    VisionReader(SexpReader reader, KnownWords words) {
+    VisionReader(SexpReader reader, KnownWords words, Function<Landmark, String> landmarkName) {
         this.reader = reader;
         this.words = words;
+        this.landmarkNames = Stream.of(LANDMARKS).map(landmarkName).toArray(String[]::new);
     }
 
     /** Parses the list whose name is the current atom. Returns empty if the list is incomplete. */
@@ -79,10 +83,10 @@ final class VisionReader {
     }
 
     private void readLandmark() {
-        for (Landmark landmark : LANDMARKS) {
-            if (reader.atomIs(landmark.simSparkName())) {
+        for (int i = 0; i < LANDMARKS.length; i++) {
+            if (reader.atomIs(landmarkNames[i])) {
                 if (readPosition(reader.depth())) {
-                    landmarks.add(new SeenLandmark(landmark, position));
+                    landmarks.add(new SeenLandmark(LANDMARKS[i], position));
                 }
                 return;
             }

@@ -1,0 +1,174 @@
+package org.robonewbie.agent.league;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.agent.log.Diagnostics;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.LeagueMessageWriter;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.JointAngles;
+import org.robonewbie.protocol.perceptor.LeagueMessageReader;
+import org.robonewbie.protocol.perceptor.LeaguePerception;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.robot.RobotModel;
+
+/**
+ * Message port through which a program for the NAO plays with another robot on RCSSServerMJ: it turns the robot's messages into those of
+ * a NAO, and the commands for a NAO into those of the robot.
+ */
+public final class LeaguePort implements MessagePort {
+
+    private static final double CYCLES_PER_SECOND = 50;
+
+    private final AgentLink link;
+    private final MessageBuffer received;
+    private final MessageBuffer answer = new MessageBuffer();
+    private final RobotModel model;
+    private final String team;
+    private final int number;
+    private final Diagnostics diagnostics;
+    private final LeagueMessageReader reader;
+    private final LeagueMessageWriter writer;
+    private final LeagueMotors motors;
+    private final List<SharedJoint> shared;
+    private boolean joined;
+    private PerceptorMessage message = PerceptorMessage.NOTHING;
+
+    /**
+     * Creates the port.
+     *
+     * @param link the connection to the server
+     * @param received buffer for the text of each message
+     * @param model the robot to play with
+     * @param team name of its team
+     * @param number its player number, 1 to 11
+     * @param diagnostics receives reports about commands that the robot cannot follow
+     */
+    public LeaguePort(
+            AgentLink link,
+            MessageBuffer received,
+            RobotModel model,
+            String team,
+            int number,
+            Diagnostics diagnostics) {
+        this.link = link;
+        this.received = received;
+        this.model = model;
+        this.team = team;
+        this.number = number;
+        this.diagnostics = diagnostics;
+        this.reader = new LeagueMessageReader(model, team, number);
+        this.writer = new LeagueMessageWriter(answer, model);
+        this.motors = new LeagueMotors(model);
+        this.shared = motors.shared();
+    }
+
+    @Override
+    public int messagesToSettle() {
+        return (int) (CYCLES_PER_SECOND * (LeagueMotors.SECONDS_TO_STANCE + 1));
+    }
+
+    @Override
+    public boolean receive() throws IOException {
+        if (!link.receive(received)) {
+            if (!joined) {
+                throw new IOException("it closed the connection. It has number " + number + " of team " + team
+                        + " already (choose another --number), both teams are full, or it does not know the robot "
+                        + model.name() + ".");
+            }
+            return false;
+        }
+        LeaguePerception perception = reader.read(received);
+        if (!joined && Double.isNaN(perception.joints().degrees(0))) {
+            throw new IOException("it speaks SimSpark's protocol, so it has NAOs only: leave out --robot "
+                    + model.name() + ", or connect to RCSSServerMJ.");
+        }
+        joined = true;
+        motors.sense(perception.joints());
+        message = asNao(perception);
+        return true;
+    }
+
+    /** Adds the joints that the robot has in common with the NAO. */
+    private PerceptorMessage asNao(LeaguePerception perception) {
+        PerceptorMessage common = perception.message();
+        return new PerceptorMessage(
+                common.seconds(),
+                common.gameState(),
+                common.heard(),
+                common.gyro(),
+                common.accelerometer(),
+                JointAngles.of(shared.stream()
+                        .filter(joint -> Double.isFinite(perception.joints().degrees(joint.index())))
+                        .collect(Collectors.toMap(
+                                SharedJoint::joint,
+                                joint -> joint.toNao(perception.joints().degrees(joint.index()))))),
+                common.footForces(),
+                common.vision());
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return message;
+    }
+
+    @Override
+    public void send(List<EffectorCommand> commands) throws IOException {
+        answer.clear();
+        if (commands.stream().anyMatch(CreateRobot.class::isInstance)) {
+            writer.join(team, number);
+        } else {
+            commands.forEach(this::follow);
+            motors.write(writer);
+        }
+        link.send(answer);
+    }
+
+    private void follow(EffectorCommand command) {
+        if (command instanceof SetHingeSpeed hinge) {
+            double speed = PortableMath.toDegrees(hinge.radiansPerSecond());
+            if (!motors.setSpeed(hinge.effectorName(), speed)) {
+                diagnostics.reportAt("", "league legs", () -> ignored(hinge.effectorName()));
+            }
+        } else if (command instanceof Beam beam) {
+            writer.beam(beam.pose());
+            motors.moveToStance();
+        } else if (command instanceof Say say) {
+            say(say.text());
+        }
+    }
+
+    private void say(String text) {
+        try {
+            writer.say(text);
+        } catch (IllegalArgumentException tooLong) {
+            diagnostics.reportAt("", "league say", () -> String.valueOf(tooLong.getMessage()));
+        }
+    }
+
+    private String ignored(String effectorName) {
+        Optional<Joint> joint = Joint.ofEffector(effectorName);
+        return "The " + model.name() + " stands by itself: commands and motions for its legs are ignored ("
+                + joint.map(Joint::name).orElse(effectorName) + ").";
+    }
+
+    @Override
+    public boolean isLate() throws IOException {
+        return link.isMessageWaiting();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+}
