@@ -22,7 +22,6 @@ import org.robonewbie.agent.running.RobotThreads;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** Runs the agents of one program in the same game. */
 final class AgentRunner {
@@ -93,11 +92,10 @@ final class AgentRunner {
     }
 
     private static MessagePort port(RobotRuntime robot, AgentLink link, Options options) {
-        MessageBuffer received = robot.sensors().buffer();
         return options.leagueRobot()
-                .<MessagePort>map(model -> new LeaguePort(
-                        link, received, model, options.team(), Math.max(1, options.number()), robot.diagnostics()))
-                .orElseGet(() -> new LinkPort(link, received));
+                .<MessagePort>map(
+                        model -> new LeaguePort(link, robot, model, options.team(), Math.max(1, options.number())))
+                .orElseGet(() -> new LinkPort(link, robot.sensors().buffer()));
     }
 
     private static void check(List<Agent> agents) {

@@ -9,10 +9,16 @@ import java.util.List;
 import java.util.Objects;
 import java.util.zip.GZIPInputStream;
 
-/** Messages that a real rcssserver3d 0.7.3 sent to an agent. */
+/** Messages that a real rcssserver3d 0.7.3, or RCSSServerMJ 0.2.1, sent to an agent. */
 public final class RecordedMessages {
 
-    /** The recordings, each of 100 or 120 messages. */
+    /** 300 messages of RCSSServerMJ to a T1 that is beamed and stands. */
+    public static final String LEAGUE_T1 = "league_t1";
+
+    /** 20 messages of RCSSServerMJ to a K1. */
+    public static final String LEAGUE_K1 = "league_k1";
+
+    /** The recordings of rcssserver3d, each of 100 or 120 messages. */
     public static final List<String> NAMES = List.of(
             "a_agent_100msgs_default_realtime_noise",
             "a_agent_100msgs_sync_fast_noise",
@@ -25,7 +31,7 @@ public final class RecordedMessages {
     /**
      * Loads a recording.
      *
-     * @param name one of {@link #NAMES}
+     * @param name one of {@link #NAMES}, {@link #LEAGUE_T1} or {@link #LEAGUE_K1}
      * @return its messages
      */
     public static List<String> load(String name) {

@@ -2,6 +2,10 @@ package org.robonewbie.agent.league;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.agent.walk.Locomotion;
+import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.effector.LeagueMessageWriter;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
@@ -10,13 +14,16 @@ import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
 /**
- * The motors of a robot of the league, which are commanded by target angles. Arms and head follow the speeds of a program for the NAO;
- * all other joints stand.
+ * The motors of a league robot, which are commanded by target angles. Arms and head follow the speeds of a program for the NAO; the legs
+ * stand or walk. While the robot walks, its arms hang down, as in the training of the walk.
  */
-final class LeagueMotors {
+final class LeagueMotors implements Locomotion {
 
     /** Time in which a robot that was placed on the pitch moves into its stance. */
     static final double SECONDS_TO_STANCE = 0.8;
+
+    private static final double SECONDS_TO_CHANGE = 0.5;
+    private static final double SECONDS_TO_STOP = 1;
 
     /** A target that runs further ahead of its joint makes the robot jerk as soon as the joint is free again. */
     private static final double MAX_LEAD_DEGREES = 10;
@@ -25,27 +32,43 @@ final class LeagueMotors {
     private static final double ARM_DAMPING = 1.5;
 
     /** More damping makes a foot in the air vibrate. */
-    private static final double MAX_FOOT_DAMPING = 2;
+    private static final double FOOT_DAMPING = 2;
 
     private final RobotModel model;
     private final List<SharedJoint> shared;
     private final StandingLegs legs;
+    private final Optional<LearnedWalk> walk;
     private final double[] degrees;
+    private final double[] measuredDegreesPerSecond;
     private final double[] startDegrees;
-    private final double[] targetDegrees;
+    private final double[] armDegrees;
     private final double[] degreesPerSecond;
-    private double secondsInStance;
+    private double[] sentDegrees;
+    private TorsoMotion torso = TorsoMotion.AT_REST;
+    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private boolean walking;
+    private double changeSeconds;
+    private double secondsOfChange;
+    private double secondsStopped;
 
-    LeagueMotors(RobotModel model) {
+    /**
+     * Creates motors at rest.
+     *
+     * @param walk the robot's walk; empty for a robot that only stands
+     */
+    LeagueMotors(RobotModel model, Optional<LearnedWalk> walk) {
         this.model = model;
+        this.walk = walk;
         this.shared = SharedJoint.of(model);
         this.legs = new StandingLegs(model);
         int joints = model.joints().size();
         this.degrees = new double[joints];
+        this.measuredDegreesPerSecond = new double[joints];
         this.startDegrees = new double[joints];
-        this.targetDegrees = new double[joints];
+        this.armDegrees = new double[joints];
         this.degreesPerSecond = new double[joints];
-        moveToStance();
+        this.sentDegrees = new double[joints];
+        placed();
     }
 
     /** {@return the joints of arms and head, which the program can move} */
@@ -53,20 +76,40 @@ final class LeagueMotors {
         return shared;
     }
 
-    /** Updates the measured angles. */
-    void sense(LeaguePerception.Joints joints) {
+    /** Updates the measured values. */
+    void sense(LeaguePerception.Joints joints, TorsoMotion newTorso) {
         for (int i = 0; i < degrees.length; i++) {
-            double measured = joints.degrees(i);
-            degrees[i] = Double.isFinite(measured) ? measured : degrees[i];
+            degrees[i] = finite(joints.degrees(i), degrees[i]);
+            measuredDegreesPerSecond[i] = finite(joints.degreesPerSecond(i), measuredDegreesPerSecond[i]);
         }
+        torso = newTorso;
+        walk.ifPresent(learned -> learned.sense(newTorso));
     }
 
     /** Starts to move from the present posture into the stance, with the arms as a NAO has them at 0°. */
-    void moveToStance() {
-        secondsInStance = 0;
-        System.arraycopy(degrees, 0, startDegrees, 0, degrees.length);
+    void placed() {
+        walking = false;
+        wanted = WalkVelocity.ZERO;
         Arrays.fill(degreesPerSecond, 0);
-        shared.forEach(joint -> targetDegrees[joint.index()] = joint.fromNao(0));
+        shared.forEach(joint -> armDegrees[joint.index()] = joint.fromNao(0));
+        change(degrees, SECONDS_TO_STANCE);
+    }
+
+    /** Starts a smooth change from given angles to those that {@link #targets} returns. */
+    private void change(double[] from, double seconds) {
+        System.arraycopy(from, 0, startDegrees, 0, from.length);
+        secondsOfChange = seconds;
+        changeSeconds = 0;
+    }
+
+    @Override
+    public void towards(WalkVelocity velocity) {
+        wanted = velocity;
+    }
+
+    @Override
+    public boolean isWalking() {
+        return walking && secondsStopped < SECONDS_TO_STOP;
     }
 
     /**
@@ -86,33 +129,74 @@ final class LeagueMotors {
 
     /** Advances the targets by one cycle and writes them. */
     void write(LeagueMessageWriter writer) {
-        secondsInStance += Cycle.SECONDS;
-        double share = Math.min(1, secondsInStance / SECONDS_TO_STANCE);
-        if (share == 1) {
-            shared.forEach(joint -> advance(joint.index()));
-        }
-        double[] standing = legs.stand(shared, targetDegrees);
+        secondsStopped = wanted.isZero() ? secondsStopped + Cycle.SECONDS : 0;
+        changeLegs();
+        changeSeconds += Cycle.SECONDS;
+        double share = Math.min(1, changeSeconds / secondsOfChange);
+        shared.forEach(joint -> advance(joint, share));
+        double[] targets = targets(share);
         for (RobotJoint joint : model.joints()) {
             int i = joint.index();
-            double target = startDegrees[i] + share * (standing[i] - startDegrees[i]);
-            if (isShared(i)) {
-                writer.motor(i, target, share == 1 ? degreesPerSecond[i] : 0, ARM_STIFFNESS, ARM_DAMPING, 0);
-            } else if (joint.motor() instanceof Motor.Torque motor) {
-                double damping = joint.name().contains("Ankle") ? MAX_FOOT_DAMPING : motor.damping();
-                writer.motor(i, target, 0, motor.stiffness(), damping, 0);
-            }
+            sentDegrees[i] = startDegrees[i] + share * (targets[i] - startDegrees[i]);
+            write(joint, sentDegrees[i], writer);
         }
     }
 
-    private boolean isShared(int index) {
-        return shared.stream().anyMatch(joint -> joint.index() == index);
+    /** Changes from standing to walking if a velocity is wanted, and back as soon as the program moves an arm after the robot stopped. */
+    private void changeLegs() {
+        boolean starts = !walking && !wanted.isZero() && walk.isPresent();
+        boolean ends = walking && secondsStopped >= SECONDS_TO_STOP && isArmMoving();
+        if (starts) {
+            walk.get().begin();
+        } else if (ends) {
+            shared.stream().filter(SharedJoint::isArm).forEach(arm -> armDegrees[arm.index()] = degrees[arm.index()]);
+        }
+        if (starts || ends) {
+            walking = starts;
+            change(sentDegrees, SECONDS_TO_CHANGE);
+        }
     }
 
-    private void advance(int joint) {
-        if (degreesPerSecond[joint] != 0) {
-            double next = targetDegrees[joint] + degreesPerSecond[joint] * Cycle.SECONDS;
-            double near = Math.max(degrees[joint] - MAX_LEAD_DEGREES, Math.min(degrees[joint] + MAX_LEAD_DEGREES, next));
-            targetDegrees[joint] = model.joints().get(joint).clampDegrees(near);
+    private boolean isArmMoving() {
+        return shared.stream().anyMatch(joint -> joint.isArm() && degreesPerSecond[joint.index()] != 0);
+    }
+
+    private void advance(SharedJoint joint, double share) {
+        int i = joint.index();
+        if (degreesPerSecond[i] != 0 && (joint.isArm() ? share == 1 && !walking : true)) {
+            double next = armDegrees[i] + degreesPerSecond[i] * Cycle.SECONDS;
+            double near = Math.max(degrees[i] - MAX_LEAD_DEGREES, Math.min(degrees[i] + MAX_LEAD_DEGREES, next));
+            armDegrees[i] = model.joints().get(i).clampDegrees(near);
         }
+    }
+
+    private double[] targets(double share) {
+        if (!walking) {
+            return legs.stand(shared, armDegrees);
+        }
+        LearnedWalk learned = walk.orElseThrow();
+        double[] targets =
+                share < 1 ? learned.stance() : learned.targets(wanted, torso.gyro(), degrees, measuredDegreesPerSecond);
+        shared.stream()
+                .filter(joint -> !joint.isArm())
+                .forEach(head -> targets[head.index()] = armDegrees[head.index()]);
+        return targets;
+    }
+
+    private void write(RobotJoint joint, double target, LeagueMessageWriter writer) {
+        int i = joint.index();
+        if (walking) {
+            LearnedWalk learned = walk.orElseThrow();
+            writer.motor(i, target, 0, learned.stiffness(i), learned.damping(i), 0);
+        } else if (shared.stream().anyMatch(each -> each.index() == i)) {
+            writer.motor(i, target, degreesPerSecond[i], ARM_STIFFNESS, ARM_DAMPING, 0);
+        } else if (joint.motor() instanceof Motor.Torque motor) {
+            double damping = joint.name().contains("Ankle") ? FOOT_DAMPING : motor.damping();
+            writer.motor(i, target, 0, motor.stiffness(), damping, 0);
+        }
+    }
+
+    private static double finite(double value, double otherwise) {
+        return Double.isFinite(value) ? value : otherwise;
     }
 }

@@ -5,8 +5,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.log.Diagnostics;
+import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
@@ -20,6 +24,7 @@ import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.LeagueMessageReader;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotModel;
 
 /**
@@ -36,6 +41,7 @@ public final class LeaguePort implements MessagePort {
     private final RobotModel model;
     private final String team;
     private final int number;
+    private final RobotRuntime robot;
     private final Diagnostics diagnostics;
     private final LeagueMessageReader reader;
     private final LeagueMessageWriter writer;
@@ -48,29 +54,30 @@ public final class LeaguePort implements MessagePort {
      * Creates the port.
      *
      * @param link the connection to the server
-     * @param received buffer for the text of each message
+     * @param robot the components of the program's robot
      * @param model the robot to play with
      * @param team name of its team
      * @param number its player number, 1 to 11
-     * @param diagnostics receives reports about commands that the robot cannot follow
      */
-    public LeaguePort(
-            AgentLink link,
-            MessageBuffer received,
-            RobotModel model,
-            String team,
-            int number,
-            Diagnostics diagnostics) {
+    public LeaguePort(AgentLink link, RobotRuntime robot, RobotModel model, String team, int number) {
         this.link = link;
-        this.received = received;
+        this.received = robot.sensors().buffer();
+        this.robot = robot;
         this.model = model;
         this.team = team;
         this.number = number;
-        this.diagnostics = diagnostics;
+        this.diagnostics = robot.diagnostics();
         this.reader = new LeagueMessageReader(model, team, number);
         this.writer = new LeagueMessageWriter(answer, model);
-        this.motors = new LeagueMotors(model);
+        this.motors = new LeagueMotors(model, walkOf(model));
         this.shared = motors.shared();
+        robot.walk().setLocomotion(motors);
+    }
+
+    private static Optional<LearnedWalk> walkOf(RobotModel model) {
+        return model == BoosterT1.MODEL
+                ? Optional.of(new LearnedWalk(PolicyFile.shipped("t1-walk"), model))
+                : Optional.empty();
     }
 
     @Override
@@ -94,9 +101,16 @@ public final class LeaguePort implements MessagePort {
                     + model.name() + ", or connect to RCSSServerMJ.");
         }
         joined = true;
-        motors.sense(perception.joints());
+        motors.sense(perception.joints(), torso(perception.message()));
         message = asNao(perception);
         return true;
+    }
+
+    private TorsoMotion torso(PerceptorMessage sensed) {
+        TorsoMotion before = robot.sensors().torso();
+        return new TorsoMotion(
+                sensed.gyro().map(SimSparkFrame::toBody).orElse(before.gyro()),
+                sensed.accelerometer().map(SimSparkFrame::toBody).orElse(before.acceleration()));
     }
 
     /** Adds the joints that the robot has in common with the NAO. */
@@ -142,7 +156,7 @@ public final class LeaguePort implements MessagePort {
             }
         } else if (command instanceof Beam beam) {
             writer.beam(beam.pose());
-            motors.moveToStance();
+            motors.placed();
         } else if (command instanceof Say say) {
             say(say.text());
         }
@@ -158,7 +172,7 @@ public final class LeaguePort implements MessagePort {
 
     private String ignored(String effectorName) {
         Optional<Joint> joint = Joint.ofEffector(effectorName);
-        return "The " + model.name() + " stands by itself: commands and motions for its legs are ignored ("
+        return "The " + model.name() + " stands and walks by itself: commands and motions for its legs are ignored ("
                 + joint.map(Joint::name).orElse(effectorName) + ").";
     }
 

@@ -39,6 +39,10 @@ record SharedJoint(Joint joint, int index, int sign, double offset) {
                 .ifPresent(own -> shared.add(new SharedJoint(joint, own.index(), sign, offset)));
     }
 
+    boolean isArm() {
+        return joint != Joint.NECK_YAW && joint != Joint.NECK_PITCH;
+    }
+
     /** Converts an angle of the NAO's joint, in degrees. */
     double fromNao(double degrees) {
         return sign * degrees + offset;

@@ -49,7 +49,8 @@ final class StandingLegs {
         double moment = 0;
         for (int i = 0; i < poses.size(); i++) {
             RobotBody body = model.bodies().get(i);
-            moment += body.massKg() * poses.get(i).times(body.inertialPose()).position().x();
+            moment += body.massKg()
+                    * poses.get(i).times(body.inertialPose()).position().x();
         }
         return moment / model.massKg();
     }

@@ -29,6 +29,7 @@ public final class WalkController implements Walk {
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
     private boolean preparing;
+    private Optional<Locomotion> locomotion = Optional.empty();
 
     /**
      * Creates a controller for a robot at rest.
@@ -45,6 +46,15 @@ public final class WalkController implements Walk {
         this.diagnostics = diagnostics;
         this.bodyPosition = bodyPosition;
         this.follower = new PostureFollower(motors);
+    }
+
+    /**
+     * Lets another robot than the NAO walk.
+     *
+     * @param own walks instead of the walk engine
+     */
+    public void setLocomotion(Locomotion own) {
+        locomotion = Optional.of(own);
     }
 
     @Override
@@ -115,6 +125,12 @@ public final class WalkController implements Walk {
         }
         if (bodyPosition.get().isFallen()) {
             reset();
+        }
+        if (locomotion.isPresent()) {
+            locomotion.get().towards(wanted);
+            walking = locomotion.get().isWalking();
+            motions.update();
+            return;
         }
         if (!walking && !wanted.isZero() && motions.isFinished()) {
             start();

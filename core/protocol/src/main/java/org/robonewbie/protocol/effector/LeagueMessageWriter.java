@@ -59,7 +59,13 @@ public final class LeagueMessageWriter {
      */
     public void join(String team, int number) {
         EffectorMessageWriter.checkWord("Team name", team);
-        writer.text("(init ").text(model.name()).text(" ").text(team).text(" ").integer(number).text(")");
+        writer.text("(init ")
+                .text(model.name())
+                .text(" ")
+                .text(team)
+                .text(" ")
+                .integer(number)
+                .text(")");
     }
 
     /**
@@ -92,7 +98,8 @@ public final class LeagueMessageWriter {
         double strongest = moved.motor() instanceof Motor.Torque motor ? motor.maxNewtonMetres() : 0;
         writer.text("(").text(moved.effectorName()).text(" ");
         number(limit(degrees, moved.minDegrees(), moved.maxDegrees())).text(" ");
-        number(limit(degreesPerSecond, -MAX_DEGREES_PER_SECOND, MAX_DEGREES_PER_SECOND)).text(" ");
+        number(limit(degreesPerSecond, -MAX_DEGREES_PER_SECOND, MAX_DEGREES_PER_SECOND))
+                .text(" ");
         number(limit(stiffness, 0, MAX_STIFFNESS)).text(" ");
         number(limit(damping, 0, MAX_DAMPING)).text(" ");
         number(limit(newtonMetres, -strongest, strongest)).text(")");
@@ -110,7 +117,9 @@ public final class LeagueMessageWriter {
             throw new IllegalArgumentException("A robot of this league can say at most " + MAX_SPOKEN_BYTES
                     + " characters, but \"" + text + "\" has " + bytes.length + ". Make it shorter.");
         }
-        writer.text("(SPK say 100 ").text(Base64.getEncoder().encodeToString(bytes)).text(")");
+        writer.text("(SPK say 100 ")
+                .text(Base64.getEncoder().encodeToString(bytes))
+                .text(")");
     }
 
     /** Writes the message of a cycle without commands. */

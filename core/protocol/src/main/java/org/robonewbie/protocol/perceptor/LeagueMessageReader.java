@@ -238,7 +238,8 @@ public final class LeagueMessageReader {
             OptionalDouble direction = reader.isNumber() ? OptionalDouble.of(reader.number()) : OptionalDouble.empty();
             Optional<String> text = reader.next() == Token.ATOM ? decoded(reader.text()) : Optional.empty();
             if (direction.isPresent() && text.isPresent() && heard.size() < MAX_HEARD) {
-                heard.add(new Heard(Optional.empty(), gameState.map(GameState::playSeconds).orElse(0.0), direction, text.get()));
+                heard.add(new Heard(
+                        Optional.empty(), gameState.map(GameState::playSeconds).orElse(0.0), direction, text.get()));
             }
         }
     }

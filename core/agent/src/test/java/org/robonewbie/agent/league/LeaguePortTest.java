@@ -1,0 +1,190 @@
+package org.robonewbie.agent.league;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.robonewbie.agent.cycle.RobotRuntime;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.Beam;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorCommand.Say;
+import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.robot.BoosterT1;
+import org.robonewbie.robot.RobotJoint;
+
+class LeaguePortTest {
+
+    private static final String GAME = "(time (now 1.0))(GS (t 0.0)(pm BeforeKickOff)(tl Blue)(sl 0)(sr 0))";
+
+    private final Server server = new Server();
+    private final RobotRuntime robot = new RobotRuntime("test");
+    private final LeaguePort port = new LeaguePort(server, robot, BoosterT1.MODEL, "Blue", 2);
+
+    @Test
+    void joinsWithItsFirstMessage() throws IOException {
+        send(CreateRobot.of(0));
+
+        assertThat(server.sent).containsExactly("(init T1 Blue 2)");
+    }
+
+    @Test
+    void answersEachMessageWithTheTargetsOfAllMotors() throws IOException {
+        send(new Beam(new Pose2d(-2, 0, 90)));
+
+        String sent = server.sent.get(0);
+        assertThat(sent).startsWith("(beam -2 0 90)");
+        for (RobotJoint joint : BoosterT1.MODEL.joints()) {
+            assertThat(sent).containsOnlyOnce("(" + joint.effectorName() + " ");
+        }
+    }
+
+    @Test
+    void armsAreMeasuredWithTheAnglesOfANao() throws IOException {
+        receive(GAME + joint("q_laj1", -120) + joint("q_laj2", -60) + joint("q_hj2", 20));
+
+        assertThat(port.message().jointAngles().degrees(Joint.LEFT_SHOULDER_PITCH))
+                .hasValue(30);
+        assertThat(port.message().jointAngles().degrees(Joint.LEFT_SHOULDER_YAW))
+                .hasValue(30);
+        assertThat(port.message().jointAngles().degrees(Joint.NECK_PITCH)).hasValue(-20);
+        assertThat(port.message().jointAngles().degrees(Joint.LEFT_KNEE_PITCH)).isEmpty();
+        assertThat(port.message().footForces().left()).isEmpty();
+    }
+
+    @Test
+    void aSpeedMovesTheTargetOfAnArm() throws IOException {
+        receive(GAME + joint("q_laj1", -90));
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        send(speed(Joint.LEFT_SHOULDER_PITCH, 100));
+        double first = target("lae1");
+        send();
+
+        assertThat(target("lae1") - first).isCloseTo(-2, within(1e-3));
+    }
+
+    @Test
+    void aTargetNeverRunsFarAheadOfItsJoint() throws IOException {
+        receive(GAME + joint("q_laj1", -90));
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+        for (int i = 0; i < 50; i++) {
+            send(speed(Joint.LEFT_SHOULDER_PITCH, 300));
+        }
+
+        assertThat(target("lae1")).isCloseTo(-100, within(1e-9));
+    }
+
+    @Test
+    void reportsOnceThatLegsStandByThemselves() throws IOException {
+        send(speed(Joint.LEFT_KNEE_PITCH, 50), speed(Joint.RIGHT_KNEE_PITCH, 50));
+        send(speed(Joint.LEFT_KNEE_PITCH, 50));
+
+        assertThat(robot.diagnostics().reported())
+                .singleElement()
+                .asString()
+                .contains("The T1 stands and walks by itself: commands and motions for its legs are ignored")
+                .contains("LEFT_KNEE_PITCH");
+    }
+
+    @Test
+    void raisedArmsMakeTheRobotLeanBack() throws IOException {
+        receive(GAME + joint("q_laj1", -90));
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        assertThat(target("lle5")).isBetween(-19.0, -18.0);
+    }
+
+    @Test
+    void saysWhatTheServerPassesOn() throws IOException {
+        send(new Say("hallo"), new Say("aVeryLongText"));
+
+        assertThat(server.sent.get(0)).startsWith("(SPK say 100 aGFsbG8=)(he1 ");
+        assertThat(robot.diagnostics().reported()).singleElement().asString().contains("at most 10 characters");
+    }
+
+    @Test
+    void saysWhyTheServerMayHaveClosedTheConnection() {
+        assertThatThrownBy(port::receive)
+                .isInstanceOf(IOException.class)
+                .hasMessage("it closed the connection. It has number 2 of team Blue already (choose another --number),"
+                        + " both teams are full, or it does not know the robot T1.");
+    }
+
+    @Test
+    void recognisesAServerThatSpeaksSimSpark() {
+        server.next.add("(time (now 1.00))(GS (t 0.00) (pm BeforeKickOff))(HJ (n hj1) (ax 0.00))");
+
+        assertThatThrownBy(port::receive)
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("it speaks SimSpark's protocol, so it has NAOs only: leave out --robot T1");
+    }
+
+    private static SetHingeSpeed speed(Joint joint, double degreesPerSecond) {
+        return new SetHingeSpeed(joint.effectorName(), PortableMath.toRadians(degreesPerSecond));
+    }
+
+    private void receive(String message) throws IOException {
+        server.next.add(message + joint("q_hj1", 0));
+        port.receive();
+    }
+
+    private void send(EffectorCommand... commands) throws IOException {
+        List<EffectorCommand> all = new ArrayList<>(List.of(commands));
+        all.add(new Synchronise());
+        port.send(all);
+    }
+
+    private static String joint(String name, double degrees) {
+        return "(HJ (n " + name + ")(ax " + degrees + ")(vx 0.0))";
+    }
+
+    private double target(String motor) {
+        String last = server.sent.get(server.sent.size() - 1);
+        String after = last.substring(last.indexOf("(" + motor + " ") + motor.length() + 2);
+        return Double.parseDouble(after.substring(0, after.indexOf(' ')));
+    }
+
+    /** Connection to a server that sends the given messages and then ends. */
+    private static final class Server implements AgentLink {
+
+        private final List<String> next = new ArrayList<>();
+        private final List<String> sent = new ArrayList<>();
+
+        @Override
+        public void send(MessageBuffer message) {
+            sent.add(message.toString());
+        }
+
+        @Override
+        public boolean receive(MessageBuffer message) {
+            if (next.isEmpty()) {
+                return false;
+            }
+            message.clear();
+            message.append(next.remove(0));
+            return true;
+        }
+
+        @Override
+        public void close() {
+            // nothing to close
+        }
+    }
+}
