@@ -42,6 +42,20 @@ public class Walker extends Agent {
     }
 }
 """
+DANCER = """
+import org.robonewbie.agent.Agent;
+
+public class Dancer extends Agent {
+    public static void main(String[] args) { new Dancer().run(args); }
+
+    @Override
+    protected void think() {
+        if (motions.isFinished()) {
+            motions.start("wave");
+        }
+    }
+}
+"""
 
 
 class InstallTest(unittest.TestCase):
@@ -114,12 +128,12 @@ class TranslatorTest(unittest.TestCase):
         self.assertNotRegex(sent, rb"nan|inf|e\d\d")
 
 
-@unittest.skipUnless(SERVER, "rcsssmj is not installed")
 class ServerTest(unittest.TestCase):
-    """Each test has a server and a bridge of its own; agents are Java programs."""
+    """Each test has a server of its own, which agents reach by a port that keeps its messages; agents are Java programs."""
+
+    robot = "NAO"
 
     def setUp(self):
-        league.install()
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
@@ -136,8 +150,22 @@ class ServerTest(unittest.TestCase):
         listener = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(listener.close)
         self.port = listener.getsockname()[1]
-        bridge = (listener, ("127.0.0.1", ports[0]), self.messages.append)
-        threading.Thread(target=league.serve, args=bridge, daemon=True).start()
+        served = (listener, ("127.0.0.1", ports[0]), self.messages.append)
+        threading.Thread(target=self.serve, args=served, daemon=True).start()
+
+    def serve(self, listener, server_address, on_message):
+        """Passes all messages between one agent and the server."""
+        agent = league.Connection(listener.accept()[0])
+        server = league.Connection(socket.create_connection(server_address))
+        try:
+            while True:
+                server.send(agent.receive())
+                message = server.receive()
+                on_message(message)
+                agent.send(message)
+        except OSError:
+            agent.close()
+            server.close()
 
     def _end_server(self):
         self.server.send_signal(signal.SIGINT)
@@ -146,14 +174,27 @@ class ServerTest(unittest.TestCase):
     def _run(self, name, source, seconds):
         file = self.folder / f"{name}.java"
         file.write_text(source, encoding="utf-8")
-        options = ["--host", "127.0.0.1", "--port", str(self.port), "--seconds", str(seconds), "--headless"]
+        options = ["--host", "127.0.0.1", "--port", str(self.port), "--robot", self.robot, "--seconds", str(seconds), "--headless"]
         done = subprocess.run([*_command(), "run", str(file), *options], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIsNone(self.server.poll())
 
     def _readings(self, pattern):
         """Returns the numbers that a sensor has sent from the start of the program until its end."""
         found = [re.search(pattern, message) for message in self.messages]
         return [[float(number) for number in each.groups()] for each in found if each]
+
+
+@unittest.skipUnless(SERVER, "rcsssmj is not installed")
+class NaoTest(ServerTest):
+    """NAOs play through the bridge."""
+
+    def setUp(self):
+        league.install()
+        super().setUp()
+
+    def serve(self, *served):
+        league.serve(*served)
 
     def test_first_program_of_the_readme_raises_the_arm(self):
         self._run("MyRobot", ROBOT, 3)
@@ -170,6 +211,45 @@ class ServerTest(unittest.TestCase):
         self.assertGreater(distance, 1.2)
         self.assertLess(distance, 3)
         self.assertGreater(min(place[2] for place in places[50:]), 0.3)
+
+
+@unittest.skipUnless(SERVER, "rcsssmj is not installed")
+class T1Test(ServerTest):
+    robot = "T1"
+
+    def test_first_program_of_the_readme_raises_the_arm(self):
+        self._run("MyRobot", ROBOT, 4)
+
+        ((angle,),) = self._readings(rb"\(HJ \(n q_laj1\)\(ax ([-\d.]+)\)")[-1:]
+        self.assertGreater(-angle - 90, 29.5)
+        self.assertLess(-angle - 90, 32)
+
+    def test_motions_of_arms_and_head_play_upright(self):
+        self._run("Dancer", DANCER, 12)
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
+        self.assertGreater(min(place[2] for place in places), 0.6)
+        arms = [angle for (angle,) in self._readings(rb"\(HJ \(n q_laj1\)\(ax ([-\d.]+)\)")]
+        self.assertGreater(max(arms) - min(arms), 60)
+
+    def test_walk_goes_forward_upright(self):
+        self._run("Walker", WALKER.replace("0.2, 0, 0", "0.5, 0, 0"), 12)
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
+        self.assertGreater(places[-1][0] - places[0][0], 3)
+        self.assertGreater(min(place[2] for place in places), 0.55)
+
+
+@unittest.skipUnless(SERVER, "rcsssmj is not installed")
+class K1Test(ServerTest):
+    robot = "K1"
+
+    def test_first_program_of_the_readme_raises_the_arm(self):
+        self._run("MyRobot", ROBOT, 4)
+
+        ((angle,),) = self._readings(rb"\(HJ \(n q_laj1\)\(ax ([-\d.]+)\)")[-1:]
+        self.assertGreater(-angle - 90, 29.5)
+        self.assertLess(-angle - 90, 32)
 
 
 def _free_port():
