@@ -177,7 +177,7 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     private static Game readGame(RecordCursor content) {
-        PlayMode playMode = PlayMode.ofSimSparkName(content.getText()).orElse(PlayMode.PLAY_ON);
+        PlayMode playMode = PlayMode.ofName(content.getText()).orElse(PlayMode.PLAY_ON);
         int half = (int) content.getUnsigned();
         int scoreLeft = (int) content.getUnsigned();
         int scoreRight = (int) content.getUnsigned();
