@@ -41,7 +41,22 @@ public final class RsmpWorld {
     private double seconds;
     private long messages;
     private boolean current;
-    private Optional<String> problem = Optional.empty();
+    private Optional<Problem> problem = Optional.empty();
+
+    /**
+     * Why a message was not understood.
+     *
+     * @param message number of the message since the first one, from 1
+     * @param reason what is wrong, with the word that was not understood
+     */
+    public record Problem(long message, String reason) {
+
+        /** {@return the problem as a sentence} */
+        @Override
+        public String toString() {
+            return "Message " + message + ": " + reason + ".";
+        }
+    }
 
     /** A robot of the scene: who it is, the nodes from the root to its torso's parent, and its figure. */
     private record Placed(PlayerNumber player, List<RsmpNode> path, RsmpFigure figure) {}
@@ -79,7 +94,7 @@ public final class RsmpWorld {
             problem = Optional.empty();
         } catch (MalformedMessageException malformed) {
             current = false;
-            problem = Optional.of("Message " + messages + ": " + malformed.getMessage() + ".");
+            problem = Optional.of(new Problem(messages, malformed.getMessage()));
         }
         return current;
     }
@@ -89,8 +104,8 @@ public final class RsmpWorld {
         return current;
     }
 
-    /** {@return what was wrong with the last message, as a sentence with its number; empty if it was understood} */
-    public Optional<String> problem() {
+    /** {@return why the last message was not understood; empty if it was} */
+    public Optional<Problem> problem() {
         return problem;
     }
 

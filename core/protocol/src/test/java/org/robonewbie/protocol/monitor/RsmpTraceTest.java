@@ -24,9 +24,7 @@ class RsmpTraceTest {
     void everyMessageIsUnderstood() {
         for (String resource : List.of(RecordedRsmpMessages.T1, RecordedRsmpMessages.T1_K1_ANT)) {
             for (String line : RecordedRsmpMessages.load(resource)) {
-                assertThat(world.read(message(line)))
-                        .as(world.problem().orElse(line))
-                        .isTrue();
+                assertThat(world.read(message(line))).as("%s", world.problem()).isTrue();
             }
         }
     }
