@@ -68,7 +68,7 @@ class TextReadersTest {
             Map.entry("studio/WebFile", RESOURCE),
             Map.entry("studio/motion/MotionApi", WIRE),
             Map.entry("studio/program/ProgramApi", WIRE),
-            Map.entry("studio/monitor/MonitorLogReader", "a log of a server, written by a program"),
+            Map.entry("studio/monitor/LogLines", "a log of a server, written by a program"),
             Map.entry("studio/replay/RecordingIndex", WRITTEN),
             Map.entry("studio/roboviz/RoboVizReader", WIRE),
             Map.entry("site/SiteBuilder", RESOURCE),

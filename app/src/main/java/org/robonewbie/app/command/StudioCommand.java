@@ -140,7 +140,12 @@ final class StudioCommand implements Callable<Integer> {
 
     private static MonitoredSimulation watch(String server) throws IOException {
         MonitorAddress address = MonitorAddress.of(server);
-        return MonitoredSimulation.connect(address.host(), address.port());
+        MonitoredSimulation match = MonitoredSimulation.connect(
+                address.host(),
+                address.port(),
+                () -> RecordingRepository.ofUser().flatMap(repository -> repository.next("")));
+        Runtime.getRuntime().addShutdownHook(new Thread(match::close, "end-of-watching"));
+        return match;
     }
 
     private SimulationControl start() throws IOException {

@@ -15,7 +15,7 @@ import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.StudioFolders;
-import org.robonewbie.studio.monitor.MonitorLogReader;
+import org.robonewbie.studio.monitor.LogConversion;
 
 /**
  * The file that the studio opens at start.
@@ -28,6 +28,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
     private static final String MOTION = ".txt";
     private static final String PROGRAM = ".java";
+    private static final long MAX_WAIT_SECONDS = 5;
     private static final String PLAYING = "@play";
     private static final String PROGRAM_PLACE = "#program/";
 
@@ -36,7 +37,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
     }
 
     /**
-     * Opens a file: a recording, a log of a SimSpark server, a motion or a program.
+     * Opens a file: a recording, a log of a server, a motion or a program.
      *
      * @param file the file, if one was given
      * @return what the studio shows
@@ -113,10 +114,15 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         recording.toFile().deleteOnExit();
         folder.toFile().deleteOnExit();
         try {
-            MonitorLogReader.convert(log, recording);
+            LogConversion conversion = LogConversion.start(log, recording);
+            if (!conversion.awaitEnd(MAX_WAIT_SECONDS)) {
+                System.out.println("The log is long; the studio shows what has been read so far.");
+            }
+            conversion.reportTo(System.out::println);
         } catch (IOException unreadable) {
             throw new CalledWronglyException("The studio cannot open this file: " + unreadable.getMessage()
-                    + " It opens recordings (.rec), logs of SimSpark servers, motions (.txt) and programs (.java).");
+                    + " It opens recordings (.rec), logs of SimSpark servers and of RCSSServerMJ, motions (.txt) and"
+                    + " programs (.java).");
         }
         return recording;
     }

@@ -19,6 +19,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.protocol.monitor.RsmpWorld;
 import org.robonewbie.protocol.order.TrainerOrderReader;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
@@ -40,6 +41,8 @@ enum FuzzedReader {
     TRAINER(bytes -> new TrainerOrderReader().read(message(bytes))),
     /** What a server tells a monitor: messages, one in each line. */
     MONITOR(FuzzedReader::readMonitor),
+    /** What RCSSServerMJ tells a monitor: messages, one in each line. */
+    RSMP(FuzzedReader::readRsmp),
     /** What robots of other processes think. */
     TELEMETRY(bytes -> TelemetryLine.read(text(bytes))),
     /** Files of motions. */
@@ -114,6 +117,16 @@ enum FuzzedReader {
         MonitoredWorld world = new MonitoredWorld();
         for (String line : text(bytes).lines().toList()) {
             world.read(message(line.getBytes(StandardCharsets.ISO_8859_1)));
+        }
+    }
+
+    private static void readRsmp(byte[] bytes) {
+        RsmpWorld world = new RsmpWorld();
+        for (String line : text(bytes).lines().toList()) {
+            world.read(message(line.getBytes(StandardCharsets.ISO_8859_1)));
+            world.gameState();
+            world.ball();
+            world.robots();
         }
     }
 

@@ -1,11 +1,15 @@
 package org.robonewbie.nao;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The game states set by the referee, with the names and in the order of SimSpark 0.7.3. */
+/**
+ * The game states set by the referee, with the names and in the order of SimSpark 0.7.3, followed by those that only RCSSServerMJ
+ * has.
+ */
 public enum PlayMode {
     /** Play has not begun; robots may be beamed. */
     BEFORE_KICK_OFF("BeforeKickOff"),
@@ -48,11 +52,22 @@ public enum PlayMode {
     /** Pass mode for the left team; opponents must keep away from the ball. */
     PASS_LEFT("pass_left"),
     /** Pass mode for the right team; opponents must keep away from the ball. */
-    PASS_RIGHT("pass_right");
+    PASS_RIGHT("pass_right"),
+    /** Penalty kick for the left team, from the penalty spot; RCSSServerMJ only. */
+    PENALTY_KICK_LEFT("penalty_kick_left"),
+    /** Penalty kick for the right team, from the penalty spot; RCSSServerMJ only. */
+    PENALTY_KICK_RIGHT("penalty_kick_right"),
+    /** Penalty shoot-out: the left team's turn; RCSSServerMJ only. */
+    PENALTY_SHOOT_LEFT("penalty_shoot_left"),
+    /** Penalty shoot-out: the right team's turn; RCSSServerMJ only. */
+    PENALTY_SHOOT_RIGHT("penalty_shoot_right");
+
+    private static final List<PlayMode> SIM_SPARK =
+            Arrays.stream(values()).limit(PASS_RIGHT.ordinal() + 1L).toList();
 
     /** Cached results of {@link #ofSimSparkName}, which is called in every cycle. */
     private static final Map<String, Optional<PlayMode>> BY_NAME =
-            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, Optional::of));
+            SIM_SPARK.stream().collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, Optional::of));
 
     private final String simSparkName;
 
@@ -60,7 +75,12 @@ public enum PlayMode {
         this.simSparkName = simSparkName;
     }
 
-    /** {@return the name in SimSpark's messages, such as {@code KickOff_Left} or {@code goal_kick_left}} */
+    /** {@return the play modes of SimSpark, in its order} */
+    public static List<PlayMode> simSparkModes() {
+        return SIM_SPARK;
+    }
+
+    /** {@return the name in messages, such as {@code KickOff_Left} or {@code goal_kick_left}} */
     public String simSparkName() {
         return simSparkName;
     }
@@ -97,5 +117,17 @@ public enum PlayMode {
      */
     public static Optional<PlayMode> ofSimSparkName(String simSparkName) {
         return BY_NAME.getOrDefault(simSparkName, Optional.empty());
+    }
+
+    /**
+     * Looks up a play mode by its name in the messages of any server.
+     *
+     * @param name the exact name
+     * @return the play mode; empty for an unknown name
+     */
+    public static Optional<PlayMode> ofName(String name) {
+        return Arrays.stream(values())
+                .filter(mode -> mode.simSparkName.equals(name))
+                .findFirst();
     }
 }

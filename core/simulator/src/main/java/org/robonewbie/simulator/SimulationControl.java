@@ -17,6 +17,20 @@ public interface SimulationControl {
     /** {@return the pitch} */
     SoccerField field();
 
+    /** {@return ball and markings of the pitch} */
+    default PitchDetails pitchDetails() {
+        return PitchDetails.SIMSPARK;
+    }
+
+    /**
+     * Returns whether the state of the match can be set.
+     *
+     * @return false for a server that knows no orders to set play mode, score and time, and none to reset the match
+     */
+    default boolean canSetMatch() {
+        return true;
+    }
+
     /**
      * Returns whether the clock can be controlled and the world can be restored.
      *

@@ -1,7 +1,6 @@
 package org.robonewbie.studio;
 
 import com.google.gson.JsonObject;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.PlayMode;
@@ -12,8 +11,10 @@ import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
+import org.robonewbie.simulator.PitchDetails;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.json.Json;
+import org.robonewbie.simulator.json.RobotModelJson;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /** Writes a {@link SceneDescription} as JSON, including the bodies of all its robot types. */
@@ -31,19 +32,27 @@ final class SceneDescriptionWriter {
     static String write(SceneDescription scene, int revision) {
         JsonObject json = Json.object(
                 "kind", "scene", "revision", revision, "field", field(scene.field()), "clock", scene.clock());
+        addDetails(scene, json);
         scene.agentPort().ifPresent(port -> json.addProperty("agentPort", port));
         json.addProperty("puppets", scene.puppets());
         scene.trial().ifPresent(trial -> json.add("trial", trial(trial)));
         json.add("teams", Json.object("left", scene.teamLeft(), "right", scene.teamRight()));
         JsonObject models = new JsonObject();
-        scene.robots().stream()
-                .map(SceneDescription.Player::type)
-                .distinct()
-                .forEach(type -> models.add(type.name(), model(NaoModel.of(type))));
+        for (RobotType type : RobotType.values()) {
+            if (scene.robots().stream().anyMatch(robot -> robot.type().equals(type.name()))) {
+                models.add(type.name(), model(NaoModel.of(type)));
+            }
+        }
+        for (int i = 0; i < scene.models().size(); i++) {
+            models.add(
+                    SceneDescription.modelType(i),
+                    RobotModelJson.write(scene.models().get(i)));
+        }
         json.add("robots", Json.array(scene.robots().stream().map(SceneDescriptionWriter::player)));
         json.add("things", Json.array(scene.things().stream().map(SceneDescriptionWriter::thing)));
         json.add("models", models);
-        json.add("playModes", Json.array(Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName)));
+        List<PlayMode> playModes = scene.match() ? PlayMode.simSparkModes() : List.of(PlayMode.values());
+        json.add("playModes", Json.array(playModes.stream().map(PlayMode::simSparkName)));
         return json.toString();
     }
 
@@ -59,6 +68,23 @@ final class SceneDescriptionWriter {
                 "centreCircleRadius", field.centreCircleRadius());
     }
 
+    /** Adds what differs from SimSpark's pitches and from a world that can be controlled. */
+    private static void addDetails(SceneDescription scene, JsonObject json) {
+        PitchDetails details = scene.details();
+        if (!details.equals(PitchDetails.SIMSPARK)) {
+            json.add(
+                    "details",
+                    Json.object(
+                            "ballRadius", details.ballRadius(),
+                            "goalAreaLength", details.goalAreaLength(),
+                            "goalAreaWidth", details.goalAreaWidth(),
+                            "penaltySpotDistance", details.penaltySpotDistance()));
+        }
+        if (!scene.match()) {
+            json.addProperty("match", false);
+        }
+    }
+
     private static JsonObject trial(TrialLabel trial) {
         return Json.object("task", trial.task(), "attempt", trial.attempt(), "seed", trial.seed());
     }
@@ -72,7 +98,7 @@ final class SceneDescriptionWriter {
                                 .map(side -> side.name().toLowerCase(Locale.ROOT))
                                 .orElse(""),
                 "number", player.number(),
-                "type", player.type().name(),
+                "type", player.type(),
                 "puppet", player.puppet());
     }
 

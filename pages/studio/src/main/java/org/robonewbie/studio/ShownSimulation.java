@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.PitchDetails;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
@@ -50,6 +51,16 @@ public final class ShownSimulation implements SimulationControl {
     @Override
     public SoccerField field() {
         return shown.field();
+    }
+
+    @Override
+    public PitchDetails pitchDetails() {
+        return shown.pitchDetails();
+    }
+
+    @Override
+    public boolean canSetMatch() {
+        return shown.canSetMatch();
     }
 
     @Override

@@ -6,6 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -64,15 +65,16 @@ final class StateFrame {
     private static int size(WorldSnapshot snapshot) {
         int size = HEADER_BYTES + POSE_BYTES * (1 + snapshot.things().size());
         for (RobotSnapshot robot : snapshot.robots()) {
-            size += POSE_BYTES + Short.BYTES * robot.body().hingeDegrees().length;
+            size += POSE_BYTES + Short.BYTES * robot.state().joints();
         }
         return size;
     }
 
     private static void putRobot(ByteBuffer buffer, RobotSnapshot robot) {
-        putPose(buffer, SimSparkFrame.linkFromBody(robot.body().torso()));
-        for (double degrees : robot.body().hingeDegrees()) {
-            buffer.putShort(clamped((float) degrees * STEPS_PER_DEGREE));
+        RobotState state = robot.state();
+        putPose(buffer, SimSparkFrame.linkFromBody(state.torso()));
+        for (int joint = 0; joint < state.joints(); joint++) {
+            buffer.putShort(clamped((float) state.degrees(joint) * STEPS_PER_DEGREE));
         }
     }
 

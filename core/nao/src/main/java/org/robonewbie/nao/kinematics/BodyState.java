@@ -129,6 +129,11 @@ public final class BodyState {
         return hingeDegrees[hinge];
     }
 
+    /** {@return the number of hinges} */
+    public int hinges() {
+        return hingeDegrees.length;
+    }
+
     /** {@return the angles of all hinges in degrees, in the order of {@link NaoModel#hinges()}; a copy} */
     public double[] hingeDegrees() {
         return hingeDegrees.clone();

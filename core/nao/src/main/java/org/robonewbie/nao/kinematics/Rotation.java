@@ -49,6 +49,40 @@ public record Rotation(double w, double x, double y, double z) {
     }
 
     /**
+     * Converts a rotation matrix, whose columns are the rotated axes. Elements are named by row and column.
+     *
+     * @param xx row x, column x
+     * @param xy row x, column y
+     * @param xz row x, column z
+     * @param yx row y, column x
+     * @param yy row y, column y
+     * @param yz row y, column z
+     * @param zx row z, column x
+     * @param zy row z, column y
+     * @param zz row z, column z
+     * @return the unit quaternion of the rotation, with w at least 0
+     */
+    public static Rotation ofMatrix(
+            double xx, double xy, double xz, double yx, double yy, double yz, double zx, double zy, double zz) {
+        double w = 1 + xx + yy + zz;
+        double x = 1 + xx - yy - zz;
+        double y = 1 - xx + yy - zz;
+        double z = 1 - xx - yy + zz;
+        if (w >= 1) {
+            return normalised(w, zy - yz, xz - zx, yx - xy);
+        }
+        if (x >= y && x >= z) {
+            return normalised(zy - yz, x, xy + yx, xz + zx);
+        }
+        return y >= z ? normalised(xz - zx, xy + yx, y, yz + zy) : normalised(yx - xy, xz + zx, yz + zy, z);
+    }
+
+    private static Rotation normalised(double w, double x, double y, double z) {
+        double factor = (w < 0 ? -1 : 1) / Math.sqrt(w * w + x * x + y * y + z * z);
+        return new Rotation(w * factor, x * factor, y * factor, z * factor);
+    }
+
+    /**
      * Rotates a vector.
      *
      * @param vector the vector

@@ -1,12 +1,19 @@
 package org.robonewbie.protocol.monitor;
 
 /**
- * Thrown when a monitor message is malformed. The exception has no stack trace, because the reader drops such messages
- * silently.
+ * Thrown when a monitor message is malformed. The exception has no stack trace, because the reader handles it at once and a hostile
+ * server could cause many.
  */
 final class MalformedMessageException extends Exception {
 
+    private static final long serialVersionUID = 1;
+
     MalformedMessageException() {
-        super("Monitor message is malformed", null, false, false);
+        this("Monitor message is malformed");
+    }
+
+    /** Creates the exception with what is wrong, as the rest of a sentence that starts with the message's number. */
+    MalformedMessageException(String problem) {
+        super(problem, null, false, false);
     }
 }

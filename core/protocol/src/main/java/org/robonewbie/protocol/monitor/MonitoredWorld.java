@@ -9,7 +9,8 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * A monitor's model of the world, updated by messages from any SimSpark server.
+ * A monitor's model of the world, updated by messages from any SimSpark server, or from RCSSServerMJ: the first message that is
+ * understood decides which. Of RCSSServerMJ, robots and ball are in {@link #rsmp()}, and here only what both have.
  *
  * <p>It is initialised by the first full message, which a server sends to each new monitor. After a partial message that does
  * not match the scene, the world is no longer {@link #isCurrent() current} until the next full message. Send {@link
@@ -35,6 +36,7 @@ public final class MonitoredWorld {
     private List<MonitoredRobot> robots = List.of();
     private Optional<TransformNode> ball = Optional.empty();
     private boolean current;
+    private Optional<RsmpWorld> rsmp = Optional.empty();
 
     /** Creates an empty world. */
     public MonitoredWorld() {}
@@ -46,6 +48,12 @@ public final class MonitoredWorld {
      * @return whether the world is current afterwards
      */
     public boolean read(MessageBuffer message) {
+        if (rsmp.isEmpty() && !current && RsmpWorld.isRsmp(message)) {
+            rsmp = Optional.of(new RsmpWorld());
+        }
+        if (rsmp.isPresent()) {
+            return rsmp.get().read(message);
+        }
         in.start(message);
         try {
             readLists();
@@ -55,27 +63,32 @@ public final class MonitoredWorld {
         return current;
     }
 
+    /** {@return the world of a server that speaks RSMP, as its first message showed; empty for a SimSpark server} */
+    public Optional<RsmpWorld> rsmp() {
+        return rsmp;
+    }
+
     /**
      * {@return whether the scene is up to date; false before the first full message and after a partial message that did not
      * match the scene}
      */
     public boolean isCurrent() {
-        return current;
+        return rsmp.map(RsmpWorld::isCurrent).orElse(current);
     }
 
     /** {@return dimensions of the pitch and parameters of the rules, as of the last full message} */
     public Environment environment() {
-        return environment;
+        return rsmp.map(RsmpWorld::environment).orElse(environment);
     }
 
     /** {@return the latest state of the match} */
     public MonitoredGame gameState() {
-        return gameReader.gameState();
+        return rsmp.map(RsmpWorld::gameState).orElseGet(gameReader::gameState);
     }
 
     /** {@return the fouls in the last message, usually none} */
     public List<Foul> newFouls() {
-        return gameReader.fouls();
+        return rsmp.map(RsmpWorld::newFouls).orElseGet(gameReader::fouls);
     }
 
     /** {@return the robots that have joined a team, in the order in which they connected} */

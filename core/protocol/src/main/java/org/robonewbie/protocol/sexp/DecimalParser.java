@@ -55,6 +55,19 @@ final class DecimalParser {
         return (at < end && isDigit(bytes[at])) || special() != 0;
     }
 
+    /** Returns whether the whole text is one decimal number such as {@code -1.5e-3}. */
+    boolean isDecimal(byte[] text, int first, int last) {
+        start(text, first, last);
+        skipSign();
+        int digits = scanDigits();
+        if (at < end && bytes[at] == '.') {
+            at++;
+            digits += scanDigits();
+        }
+        hasExponent();
+        return digits > 0 && at == end;
+    }
+
     private void start(byte[] text, int first, int last) {
         bytes = text;
         from = first;

@@ -185,6 +185,16 @@ public final class SexpReader {
         return decimals.isNumber(bytes, atomStart, atomEnd);
     }
 
+    /** {@return whether the whole current atom is a decimal number, with nothing after it; {@code nan} and {@code inf} are not} */
+    public boolean isDecimal() {
+        return decimals.isDecimal(bytes, atomStart, atomEnd);
+    }
+
+    /** {@return the length of the current atom in bytes} */
+    public int atomLength() {
+        return atomEnd - atomStart;
+    }
+
     /** {@return a copy of the current atom as text} */
     public String text() {
         return new String(bytes, atomStart, atomEnd - atomStart, StandardCharsets.UTF_8);

@@ -29,7 +29,8 @@ class MonitorTraceTest {
         assertThat(world.environment().measure("FieldLength")).hasValue(30);
         assertThat(world.environment().measure("PassModeDuration")).hasValue(4);
         assertThat(world.environment().measure("Unheard")).isEmpty();
-        assertThat(world.environment().playModes()).hasSize(PlayMode.values().length);
+        assertThat(world.environment().playModes())
+                .hasSize(PlayMode.simSparkModes().size());
         assertThat(world.gameState())
                 .isEqualTo(new MonitoredGame(
                         0, Optional.of("X"), Optional.empty(), 1, 0, 0, Optional.of(PlayMode.BEFORE_KICK_OFF), 0, 0));

@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.monitor;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
@@ -44,7 +43,7 @@ final class MatchEnvironment {
         addPenaltyArea(parameters.field(), measures);
         return new Environment(
                 measures,
-                Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).toList());
+                PlayMode.simSparkModes().stream().map(PlayMode::simSparkName).toList());
     }
 
     /** Adds the penalty area if it differs from the league's, which monitors draw by default. */

@@ -40,7 +40,7 @@ public final class RecordedLog {
      * @param recording the recording
      * @param log the log file; an existing file is replaced
      * @throws DamagedRecordingException if the file is not a recording or is damaged
-     * @throws IOException if a file cannot be read or written; the message contains the file name
+     * @throws IOException if a file cannot be read or written, or if the recording shows robots other than NAOs; the message says which
      */
     public static void write(Path recording, Path log) throws IOException {
         try (RecordingReader reader = RecordingFile.read(recording);
@@ -55,7 +55,7 @@ public final class RecordedLog {
      * @param recording the recording, positioned before the first cycle
      * @param log receives the log; closed at the end
      * @throws DamagedRecordingException if the recording is damaged
-     * @throws IOException if it cannot be read
+     * @throws IOException if it cannot be read, or if it shows robots other than NAOs
      */
     public static void write(RecordingReader recording, OutputStream log) throws IOException {
         try (MonitorLog lines = new MonitorLog("", log, parameters(recording.header()), problem -> {})) {
@@ -68,11 +68,22 @@ public final class RecordedLog {
         try {
             for (Optional<RecordedCycle> cycle = reader.next(); cycle.isPresent(); cycle = reader.next()) {
                 WorldSnapshot state = cycle.get().snapshot();
+                requireNaos(state);
                 cycle.get().events().forEach(converter::noteFoul);
                 lines.cycleEnded(state.cycle(), () -> converter.snapshot(state));
             }
         } catch (IllegalArgumentException invalid) {
             throw new DamagedRecordingException("The recording is damaged. " + invalid.getMessage(), invalid);
+        }
+    }
+
+    private static void requireNaos(WorldSnapshot state) throws IOException {
+        for (RobotSnapshot robot : state.robots()) {
+            if (robot.nao().isEmpty()) {
+                throw new IOException("The recording shows a "
+                        + robot.state().model().name()
+                        + ", but a SimSpark log contains only NAOs. Export a page or a video instead.");
+            }
         }
     }
 

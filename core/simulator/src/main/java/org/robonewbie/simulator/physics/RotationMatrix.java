@@ -111,21 +111,6 @@ public record RotationMatrix(
 
     /** {@return the unit quaternion of this rotation, with w at least 0} */
     public Rotation toQuaternion() {
-        double w = 1 + xx + yy + zz;
-        double x = 1 + xx - yy - zz;
-        double y = 1 - xx + yy - zz;
-        double z = 1 - xx - yy + zz;
-        if (w >= 1) {
-            return normalised(w, zy - yz, xz - zx, yx - xy);
-        }
-        if (x >= y && x >= z) {
-            return normalised(zy - yz, x, xy + yx, xz + zx);
-        }
-        return y >= z ? normalised(xz - zx, xy + yx, y, yz + zy) : normalised(yx - xy, xz + zx, yz + zy, z);
-    }
-
-    private static Rotation normalised(double w, double x, double y, double z) {
-        double factor = (w < 0 ? -1 : 1) / Math.sqrt(w * w + x * x + y * y + z * z);
-        return new Rotation(w * factor, x * factor, y * factor, z * factor);
+        return Rotation.ofMatrix(xx, xy, xz, yx, yy, yz, zx, zy, zz);
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import java.util.HashMap;
 import java.util.Map;
+import org.robonewbie.nao.model.RobotType;
 
 /** Constants of the recording format; see {@code docs/recording-format.md}. */
 final class RecordingFormat {
@@ -24,6 +25,12 @@ final class RecordingFormat {
 
     /** Kind of record that contains the new pose of one object. */
     static final int MOVED_THING = 9;
+
+    /** Kind of record that defines a robot type beyond the NAOs; absent if all robots are NAOs. */
+    static final int MODEL = 10;
+
+    /** Number of robot types that need no record of kind {@link #MODEL}. */
+    static final int NAO_TYPES = RobotType.values().length;
 
     /** Resolution of positions: 0.1 mm. */
     static final double STEPS_PER_METRE = 10_000;

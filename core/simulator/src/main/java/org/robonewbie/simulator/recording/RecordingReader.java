@@ -19,8 +19,12 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.robot.RobotModel;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.json.RobotModelJson;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
@@ -40,6 +44,7 @@ public final class RecordingReader implements AutoCloseable {
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, DeltaTrack> robotTracks = new HashMap<>();
     private Map<String, String> header = Map.of();
+    private final List<RobotModel> models = new ArrayList<>();
     private List<ListedRobot> robots = List.of();
     private List<Thing> things = List.of();
     private Game game = new Game(PlayMode.BEFORE_KICK_OFF, 1, 0, 0, "", "");
@@ -112,7 +117,8 @@ public final class RecordingReader implements AutoCloseable {
                 RecordCursor content = readPayload();
                 switch (kind) {
                     case RecordingFormat.GAME -> game = readGame(content);
-                    case RecordingFormat.ROBOTS -> robots = ListedRobot.readAll(content);
+                    case RecordingFormat.MODEL -> readModel(content);
+                    case RecordingFormat.ROBOTS -> robots = ListedRobot.readAll(content, types());
                     case RecordingFormat.COMMANDS -> commands.add(readCommands(content));
                     case RecordingFormat.EVENT -> events.add(content.getText());
                     case RecordingFormat.THINGS -> things = List.copyOf(ThingTrack.readAll(content));
@@ -177,7 +183,7 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     private static Game readGame(RecordCursor content) {
-        PlayMode playMode = PlayMode.ofSimSparkName(content.getText()).orElse(PlayMode.PLAY_ON);
+        PlayMode playMode = PlayMode.ofName(content.getText()).orElse(PlayMode.PLAY_ON);
         int half = (int) content.getUnsigned();
         int scoreLeft = (int) content.getUnsigned();
         int scoreRight = (int) content.getUnsigned();
@@ -225,7 +231,7 @@ public final class RecordingReader implements AutoCloseable {
     }
 
     private RobotSnapshot readRobot(ListedRobot robot, RecordCursor content) {
-        int hinges = NaoModel.of(robot.type()).hinges().size();
+        int hinges = hinges(robot.type());
         DeltaTrack track = robotTracks.compute(
                 robot.id(), (id, known) -> DeltaTrack.fitting(known, RecordingFormat.NUMBERS_PER_POSE + hinges));
         Pose torso = track.getPose(content);
@@ -238,6 +244,40 @@ public final class RecordingReader implements AutoCloseable {
                 robot.team(),
                 robot.teamSide(),
                 robot.number(),
-                BodyState.ofHinges(robot.type(), SimSparkFrame.linkToBody(torso), degrees));
+                state(robot.type(), SimSparkFrame.linkToBody(torso), degrees));
+    }
+
+    private RobotState state(int type, Pose torso, double[] degrees) {
+        return type < RecordingFormat.NAO_TYPES
+                ? new RobotState.OfNao(BodyState.ofHinges(RobotType.values()[type], torso, degrees))
+                : new RobotState.OfModel(models.get(type - RecordingFormat.NAO_TYPES), torso, degrees);
+    }
+
+    private int hinges(int type) {
+        return type < RecordingFormat.NAO_TYPES
+                ? NaoModel.of(RobotType.values()[type]).hinges().size()
+                : models.get(type - RecordingFormat.NAO_TYPES).joints().size();
+    }
+
+    private int types() {
+        return RecordingFormat.NAO_TYPES + models.size();
+    }
+
+    private void readModel(RecordCursor content) throws DamagedRecordingException {
+        long type = content.getUnsigned();
+        long joints = content.getUnsigned();
+        RobotModel model;
+        try {
+            model = RobotModelJson.read(content.getText());
+        } catch (IllegalArgumentException unreadable) {
+            throw new DamagedRecordingException(
+                    "The recording defines a robot that cannot be read: " + unreadable.getMessage(), unreadable);
+        }
+        if (type != types() || joints != model.joints().size()) {
+            throw new DamagedRecordingException("The recording defines robot type " + type + " with " + joints
+                    + " joints, but type " + types() + " comes next and has "
+                    + model.joints().size() + ". The file is damaged.");
+        }
+        models.add(model);
     }
 }

@@ -1,11 +1,13 @@
 package org.robonewbie.simulator.recording;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 
 /**
  * An incremental reader of a recording. It keeps the state after the last cycle as raw fixed-point values, so that
@@ -34,6 +36,7 @@ public final class RecordingState {
     private final long[] ball = new long[NUMBERS_PER_POSE];
     private final Map<Integer, long[]> tracks = new LinkedHashMap<>();
     private final Map<Integer, long[]> speeds = new LinkedHashMap<>();
+    private final List<ListedModel> models = new ArrayList<>();
     private List<ListedRobot> robots = List.of();
     private byte[] game = {};
     private List<Integer> score = List.of(0, 0);
@@ -45,6 +48,9 @@ public final class RecordingState {
     private byte[] rest = {};
     private boolean begun;
     private boolean betweenCycles = true;
+
+    /** A record of kind {@link RecordingFormat#MODEL}. */
+    private record ListedModel(int joints, String json, byte[] payload) {}
 
     /** A listener for the contents of a recording. */
     public interface Listener {
@@ -143,6 +149,7 @@ public final class RecordingState {
         switch (kind) {
             case RecordingFormat.HEADER -> header = RecordingFormat.readHeader(content);
             case RecordingFormat.GAME -> takeGame(Arrays.copyOfRange(bytes, from, end), content);
+            case RecordingFormat.MODEL -> takeModel(Arrays.copyOfRange(bytes, from, end), content);
             case RecordingFormat.ROBOTS -> takeRobots(Arrays.copyOfRange(bytes, from, end), content);
             case RecordingFormat.COMMANDS -> takeCommands(content);
             case RecordingFormat.EVENT -> listener.happened(content.getText());
@@ -165,8 +172,17 @@ public final class RecordingState {
     }
 
     private void takeRobots(byte[] payload, RecordCursor content) {
-        robots = ListedRobot.readAll(content);
+        robots = ListedRobot.readAll(content, RecordingFormat.NAO_TYPES + models.size());
         roster = payload;
+    }
+
+    private void takeModel(byte[] payload, RecordCursor content) {
+        int type = (int) content.getUnsigned();
+        int joints = content.getCount();
+        if (type != RecordingFormat.NAO_TYPES + models.size()) {
+            throw damaged();
+        }
+        models.add(new ListedModel(joints, content.getText(), payload));
     }
 
     private void takeThings(byte[] payload) {
@@ -187,7 +203,12 @@ public final class RecordingState {
         playTicks += content.getSigned();
         takeTrack(ball, content);
         for (ListedRobot robot : robots) {
-            takeTrack(tracks.computeIfAbsent(robot.id(), id -> new long[numbersOf(robot)]), content);
+            int numbers = numbersOf(robot);
+            takeTrack(
+                    tracks.compute(
+                            robot.id(),
+                            (id, known) -> known != null && known.length == numbers ? known : new long[numbers]),
+                    content);
         }
         listener.cycleEnded(cycle, this);
     }
@@ -205,8 +226,11 @@ public final class RecordingState {
         }
     }
 
-    private static int numbersOf(ListedRobot robot) {
-        return NUMBERS_PER_POSE + NaoModel.of(robot.type()).hinges().size();
+    private int numbersOf(ListedRobot robot) {
+        int hinges = robot.type() < RecordingFormat.NAO_TYPES
+                ? NaoModel.of(RobotType.values()[robot.type()]).hinges().size()
+                : models.get(robot.type() - RecordingFormat.NAO_TYPES).joints();
+        return NUMBERS_PER_POSE + hinges;
     }
 
     private static void takeTrack(long[] track, RecordCursor content) {
@@ -228,6 +252,13 @@ public final class RecordingState {
     /** {@return the robots of the last cycle} */
     public List<ListedRobot> robots() {
         return robots;
+    }
+
+    /** {@return the models that the recording defines so far, in JSON, by the name of their type} */
+    public Map<String, String> models() {
+        Map<String, String> known = new LinkedHashMap<>();
+        models.forEach(model -> known.put("TYPE_" + (RecordingFormat.NAO_TYPES + known.size()), model.json()));
+        return known;
     }
 
     /**
@@ -266,6 +297,7 @@ public final class RecordingState {
     public byte[] toRecords() {
         ByteSink records = new ByteSink();
         put(RecordingFormat.GAME, game, records);
+        models.forEach(model -> put(RecordingFormat.MODEL, model.payload(), records));
         put(RecordingFormat.ROBOTS, roster, records);
         put(RecordingFormat.THINGS, things, records);
         movedThings.values().forEach(moved -> put(RecordingFormat.MOVED_THING, moved, records));

@@ -3,8 +3,10 @@ package org.robonewbie.simulator.recording;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import org.robonewbie.nao.TeamSide;
@@ -12,11 +14,13 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
+import org.robonewbie.robot.RobotModel;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.json.RobotModelJson;
 
 /**
  * A writer of recordings, which contain the changes in each cycle to the game, the ball, the robots and their commands.
@@ -34,6 +38,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
     private final ThingTrack things = new ThingTrack();
+    private final Map<RobotModel, Integer> models = new IdentityHashMap<>();
     private byte[] lastRobots = {};
     private double lastPlaySeconds;
 
@@ -81,6 +86,7 @@ public final class RecordingWriter implements AutoCloseable {
                 snapshot.scoreRight(),
                 snapshot.teamLeft(),
                 snapshot.teamRight());
+        writeModels(snapshot.robots());
         writeRobots(snapshot.robots());
         for (int i = 0; i < snapshot.robots().size(); i++) {
             writeCommands(snapshot.robots().get(i), commands.apply(i));
@@ -109,11 +115,30 @@ public final class RecordingWriter implements AutoCloseable {
         final DeltaTrack poses;
         final long[] speeds;
 
-        RobotTrack(RobotType type) {
-            int hinges = NaoModel.of(type).hinges().size();
+        RobotTrack(int hinges) {
             poses = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE + hinges);
             speeds = new long[hinges];
         }
+    }
+
+    /** Defines the models of robots that are not NAOs before they appear in a roster. */
+    private void writeModels(List<RobotSnapshot> robots) {
+        for (RobotSnapshot robot : robots) {
+            if (robot.state() instanceof RobotState.OfModel other && !models.containsKey(other.model())) {
+                models.put(other.model(), RecordingFormat.NAO_TYPES + models.size());
+                ByteSink payload = sink.newPayload();
+                payload.putUnsigned(type(robot));
+                payload.putUnsigned(other.joints());
+                payload.putText(RobotModelJson.write(other.model()).toString());
+                sink.put(RecordingFormat.MODEL);
+            }
+        }
+    }
+
+    private int type(RobotSnapshot robot) {
+        return robot.state() instanceof RobotState.OfNao nao
+                ? nao.body().type().ordinal()
+                : Objects.requireNonNull(models.get(robot.state().model()));
     }
 
     private void writeRobots(List<RobotSnapshot> robots) {
@@ -121,7 +146,7 @@ public final class RecordingWriter implements AutoCloseable {
         payload.putUnsigned(robots.size());
         for (RobotSnapshot robot : robots) {
             payload.putUnsigned(robot.id());
-            payload.putUnsigned(robot.type().ordinal());
+            payload.putUnsigned(type(robot));
             payload.putUnsigned(robot.side().map(TeamSide::ordinal).orElse(-1) + 1);
             payload.putUnsigned(robot.number());
             payload.putText(robot.team());
@@ -186,10 +211,11 @@ public final class RecordingWriter implements AutoCloseable {
         ballTrack.putPose(0, new Pose(snapshot.ballPosition(), snapshot.ballRotation()), payload);
         for (RobotSnapshot robot : snapshot.robots()) {
             DeltaTrack track = track(robot).poses;
-            track.putPose(0, SimSparkFrame.linkFromBody(robot.body().torso()), payload);
-            int hinges = NaoModel.of(robot.type()).hinges().size();
+            RobotState state = robot.state();
+            track.putPose(0, SimSparkFrame.linkFromBody(state.torso()), payload);
+            int hinges = state.joints();
             for (int i = 0; i < hinges; i++) {
-                double degrees = robot.body().hingeDegrees(i);
+                double degrees = state.degrees(i);
                 track.put(RecordingFormat.NUMBERS_PER_POSE + i, degrees, RecordingFormat.STEPS_PER_DEGREE, payload);
             }
         }
@@ -197,6 +223,13 @@ public final class RecordingWriter implements AutoCloseable {
     }
 
     private RobotTrack track(RobotSnapshot robot) {
-        return robotTracks.computeIfAbsent(robot.id(), id -> new RobotTrack(robot.type()));
+        int hinges = robot.state().joints();
+        RobotTrack known = robotTracks.get(robot.id());
+        if (known != null && known.speeds.length == hinges) {
+            return known;
+        }
+        RobotTrack track = new RobotTrack(hinges);
+        robotTracks.put(robot.id(), track);
+        return track;
     }
 }

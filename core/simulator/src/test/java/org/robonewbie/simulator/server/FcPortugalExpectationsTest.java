@@ -117,7 +117,7 @@ class FcPortugalExpectationsTest {
     @Test
     void playModesHaveTheNamesThatTheAgentLooksUp() throws IOException {
         List<String> names = new ArrayList<>();
-        for (PlayMode mode : PlayMode.values()) {
+        for (PlayMode mode : PlayMode.simSparkModes()) {
             server.control().order(new Order.ChangePlayMode(mode));
             agent.exchange("(syn)");
             agent.send("(syn)");

@@ -6,6 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
@@ -14,6 +15,9 @@ import org.robonewbie.simulator.landscape.Thing;
 final class Blend {
 
     private static final double JUMP_METRES = 1;
+
+    /** Larger changes of a joint angle are a jump from one end of its range to the other. */
+    private static final double HALF_TURN = 180;
 
     private Blend() {}
 
@@ -56,7 +60,7 @@ final class Blend {
         List<RobotSnapshot> robots = new ArrayList<>();
         for (RobotSnapshot robot : from) {
             robots.add(to.stream()
-                    .filter(each -> each.id() == robot.id() && each.type() == robot.type())
+                    .filter(each -> each.id() == robot.id() && isSameModel(each.state(), robot.state()))
                     .findFirst()
                     .map(later -> robot(robot, later, part))
                     .orElse(robot));
@@ -75,17 +79,18 @@ final class Blend {
     }
 
     private static RobotSnapshot robot(RobotSnapshot from, RobotSnapshot to, double part) {
-        double step = step(from.body().torso(), to.body().torso(), part);
-        Pose between = between(from.body().torso(), to.body().torso(), step);
-        return new RobotSnapshot(
-                from.id(),
-                from.team(),
-                from.side(),
-                from.number(),
-                BodyState.ofHinges(
-                        from.type(),
-                        between,
-                        blended(from.body().hingeDegrees(), to.body().hingeDegrees(), step)));
+        Pose torso = from.state().torso();
+        double step = step(torso, to.state().torso(), part);
+        Pose between = between(torso, to.state().torso(), step);
+        double[] degrees = blended(from.state(), to.state(), step);
+        RobotState state = from.state() instanceof RobotState.OfNao nao
+                ? new RobotState.OfNao(BodyState.ofHinges(nao.body().type(), between, degrees))
+                : new RobotState.OfModel(from.state().model(), between, degrees);
+        return new RobotSnapshot(from.id(), from.team(), from.side(), from.number(), state);
+    }
+
+    private static boolean isSameModel(RobotState one, RobotState other) {
+        return one.model() == other.model();
     }
 
     private static double step(Pose from, Pose to, double part) {
@@ -114,10 +119,11 @@ final class Blend {
         return new Rotation(w / length, x / length, y / length, z / length);
     }
 
-    private static double[] blended(double[] from, double[] to, double part) {
-        double[] between = new double[from.length];
+    private static double[] blended(RobotState from, RobotState to, double part) {
+        double[] between = new double[from.joints()];
         for (int i = 0; i < between.length; i++) {
-            between[i] = from[i] + part * (to[i] - from[i]);
+            double change = to.degrees(i) - from.degrees(i);
+            between[i] = from.degrees(i) + part * (Math.abs(change) > HALF_TURN ? 0 : change);
         }
         return between;
     }

@@ -4,6 +4,7 @@ import java.util.function.LongSupplier;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.monitor.MonitoredWorld;
 
 /**
  * Estimates the cycle number of a server that sends only the game time. The game time does not advance before a
@@ -14,9 +15,11 @@ final class MonitorClock {
     private static final int DEFAULT_CYCLES_PER_MESSAGE = 2;
     private static final int MESSAGES_UNTIL_STANDSTILL = 10;
     private static final double FOLLOWING = 0.1;
+    private static final double MAX_GAP_SECONDS = 10;
 
     private final LongSupplier nanoTime;
     private double lastPlaySeconds = Double.NaN;
+    private double lastServerSeconds = Double.NaN;
     private long cycle;
     private int messagesWithoutTime;
     private long lastNanos;
@@ -31,9 +34,27 @@ final class MonitorClock {
         this.lastNanos = nanoTime.getAsLong();
     }
 
-    void tick(MonitoredGame game) {
+    /** Advances to the latest message. RCSSServerMJ sends its time, so that nothing needs to be estimated. */
+    void tick(MonitoredWorld world) {
+        if (world.rsmp().isPresent()) {
+            tickTo(world.rsmp().get().seconds());
+        } else {
+            tick(world.gameState());
+        }
+    }
+
+    private void tickTo(double seconds) {
+        double passed = seconds - lastServerSeconds;
+        lastServerSeconds = seconds;
+        boolean isNext = passed > 0 && passed < MAX_GAP_SECONDS;
+        long cycles = isNext ? Math.max(1, Math.round(passed / Cycle.SECONDS)) : DEFAULT_CYCLES_PER_MESSAGE;
+        follow(cycles);
+        cycle += cycles;
+    }
+
+    private void tick(MonitoredGame game) {
         double seconds = game.timeSeconds() - lastPlaySeconds;
-        boolean moves = seconds > 0 && seconds < 10;
+        boolean moves = seconds > 0 && seconds < MAX_GAP_SECONDS;
         boolean mayStand = game.playMode()
                 .filter(mode -> mode == PlayMode.BEFORE_KICK_OFF || mode == PlayMode.GAME_OVER)
                 .isPresent();

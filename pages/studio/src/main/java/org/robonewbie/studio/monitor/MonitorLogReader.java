@@ -1,134 +1,149 @@
 package org.robonewbie.studio.monitor;
 
-import java.io.BufferedInputStream;
-import java.io.BufferedReader;
+import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import java.util.zip.GZIPInputStream;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
-import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.protocol.monitor.RsmpWorld;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.simulator.recording.RecordingWriter;
-import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
  * Converts a log of monitor messages to a recording. Reads {@code sparkmonitor.log} from rcssserver3d and from RoboNewbie's
- * simulator, with one message per line, and RoboViz logs. Logs may be compressed with gzip. Cycles between two messages are
- * interpolated, because such logs contain only five states per second.
+ * simulator, with one message per line, RoboViz logs, and the log that RCSSServerMJ writes with {@code --logfile}. Logs may be
+ * compressed with gzip. Cycles between two messages are interpolated, because SimSpark's logs contain only five states per second and
+ * those of RCSSServerMJ 25.
  */
 public final class MonitorLogReader {
 
-    private static final int GZIP_MARK = 0x1f;
-    private static final int MAX_INTERPOLATED_CYCLES = 15;
+    /** How much of a log is searched for the first complete scene, after decompression. */
+    private static final long MAX_SEARCHED_BYTES = 1L << 26;
 
+    private final Path log;
+    private final Path recording;
     private final MonitoredWorld world = new MonitoredWorld();
     private final MonitorClock clock = new MonitorClock(() -> 0);
+    private final MessageBuffer line = new MessageBuffer();
     private final MessageBuffer message = new MessageBuffer();
-    private final List<String> events = new ArrayList<>();
-    private Optional<RecordingWriter> recording = Optional.empty();
-    private Optional<WorldSnapshot> last = Optional.empty();
+    private Optional<MonitorRecorder> recorder = Optional.empty();
     private MonitoredGame game = MonitoredGame.UNKNOWN;
+    private long messages;
+    private long refused;
+    private Optional<String> firstProblem = Optional.empty();
 
-    private MonitorLogReader() {}
+    private MonitorLogReader(Path log, Path recording) {
+        this.log = log;
+        this.recording = recording;
+    }
 
     /**
      * Converts a log.
      *
      * @param log the log
      * @param recording the recording to write
+     * @return what was not understood, as a sentence; empty if everything was
      * @throws IOException if the log cannot be read or contains no complete scene
      */
-    public static void convert(Path log, Path recording) throws IOException {
-        MonitorLogReader reader = new MonitorLogReader();
-        try (BufferedReader lines = open(log)) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                reader.take(line, recording);
-            }
-        } catch (UncheckedIOException damaged) {
-            throw new IOException("\"" + log + "\" cannot be read completely: " + damaged.getMessage(), damaged);
-        } finally {
-            reader.recording.ifPresent(RecordingWriter::close);
+    public static Optional<String> convert(Path log, Path recording) throws IOException {
+        LogConversion conversion = LogConversion.start(log, recording);
+        conversion.awaitEnd();
+        return conversion.remark();
+    }
+
+    /** Creates a reader that has not read anything. */
+    static MonitorLogReader of(Path log, Path recording) {
+        return new MonitorLogReader(log, recording);
+    }
+
+    /** Reads up to the first complete scene, with which the recording starts. */
+    void begin(LogLines lines) throws IOException {
+        while (recorder.isEmpty() && lines.bytes() < MAX_SEARCHED_BYTES && next(lines)) {
+            take(lines.number());
         }
-        if (reader.recording.isEmpty()) {
-            throw new IOException("\"" + log + "\" is not a SimSpark server log: it contains no complete scene.");
+        if (recorder.isEmpty()) {
+            throw new IOException("\"" + log + "\" is not a server log: it contains no complete scene."
+                    + firstProblem.map(problem -> " " + problem).orElse(""));
         }
     }
 
-    private static BufferedReader open(Path log) throws IOException {
-        InputStream raw = new BufferedInputStream(Files.newInputStream(log));
-        raw.mark(1);
-        boolean packed = raw.read() == GZIP_MARK;
-        raw.reset();
-        InputStream plain = packed ? new GZIPInputStream(raw) : raw;
-        return new BufferedReader(new InputStreamReader(plain, StandardCharsets.ISO_8859_1));
+    /** Reads the rest and completes the recording. Returns what was not understood. */
+    Optional<String> finish(LogLines lines) throws IOException {
+        try {
+            while (next(lines)) {
+                take(lines.number());
+            }
+        } finally {
+            recorder.ifPresent(MonitorRecorder::close);
+        }
+        return firstProblem.map(problem ->
+                "Of " + messages + " messages in \"" + log + "\", " + refused + " were not understood. " + problem);
+    }
+
+    /** Reads the next line. A log of RCSSServerMJ that is cut off ends where it is cut; the server may have been killed. */
+    private boolean next(LogLines lines) throws IOException {
+        try {
+            return lines.next(line);
+        } catch (EOFException cut) {
+            if (recorder.isPresent() && world.rsmp().isPresent()) {
+                note(lines.number() + 1, "the compressed file ends in the middle");
+                return false;
+            }
+            throw cut;
+        }
     }
 
     /** Reads a line. In RoboViz logs, a list of numbers for the drawings precedes the message, which starts at the first "((". */
-    private void take(String line, Path file) throws IOException {
-        int start = line.indexOf("((");
+    private void take(long number) throws IOException {
+        int start = startOfMessage();
         if (start < 0) {
             return;
         }
         message.clear();
-        message.append(line.substring(start));
-        if (!world.read(message)) {
+        message.resize(line.length() - start);
+        System.arraycopy(line.bytes(), start, message.bytes(), 0, message.length());
+        messages++;
+        boolean current = world.read(message);
+        noteProblem(number);
+        if (!current) {
             return;
         }
-        clock.tick(world.gameState());
-        noteEvents();
-        if (recording.isEmpty()) {
-            recording = Optional.of(RecordingWriter.open(RecordingFile.open(file, problem -> {}), header()));
+        clock.tick(world);
+        if (recorder.isEmpty()) {
+            recorder = Optional.of(MonitorRecorder.open(RecordingFile.open(recording, problem -> {}), world));
         }
-        write(recording.get(), MonitorSnapshots.of(world, clock.cycle(), 1, false));
+        noteEvents(recorder.get());
+        recorder.get().write(MonitorSnapshots.of(world, clock.cycle(), 1, false));
     }
 
-    private void write(RecordingWriter target, WorldSnapshot now) {
-        if (last.isPresent() && now.cycle() == last.get().cycle()) {
-            return;
-        }
-        last.ifPresent(before -> {
-            long gap = now.cycle() - before.cycle();
-            for (long i = 1; i < gap && gap <= MAX_INTERPOLATED_CYCLES; i++) {
-                target.write(Blend.of(before, now, (double) i / gap), List.of());
+    private int startOfMessage() {
+        byte[] bytes = line.bytes();
+        for (int i = 0; i + 1 < line.length(); i++) {
+            if (bytes[i] == '(' && bytes[i + 1] == '(') {
+                return i;
             }
-        });
-        target.write(now, events);
-        events.clear();
-        last = Optional.of(now);
+        }
+        return -1;
     }
 
-    private void noteEvents() {
-        MonitorEvents.between(game, world.gameState()).stream()
-                .map(MatchEvent::text)
-                .forEach(events::add);
+    private void noteProblem(long number) {
+        world.rsmp().flatMap(RsmpWorld::problem).ifPresent(problem -> note(number, problem.reason()));
+    }
+
+    private void note(long number, String reason) {
+        refused++;
+        if (firstProblem.isEmpty()) {
+            firstProblem = Optional.of("Line " + number + ": " + reason + ".");
+        }
+    }
+
+    private void noteEvents(MonitorRecorder target) {
+        MonitorEvents.between(game, world.gameState()).forEach(target::happened);
         game = world.gameState();
         for (Foul foul : world.newFouls()) {
-            events.add(MonitorEvents.of(foul).text());
+            target.happened(MonitorEvents.of(foul));
         }
-    }
-
-    private List<String> header() {
-        SoccerField field = MonitorSnapshots.field(world.environment());
-        return List.of(
-                "FieldLength=" + field.length(),
-                "FieldWidth=" + field.width(),
-                "GoalWidth=" + field.goalWidth(),
-                "GoalDepth=" + field.goalDepth(),
-                "GoalHeight=" + field.goalHeight(),
-                "PenaltyLength=" + field.penaltyLength(),
-                "PenaltyWidth=" + field.penaltyWidth(),
-                "FreeKickDistance=" + field.centreCircleRadius());
     }
 }

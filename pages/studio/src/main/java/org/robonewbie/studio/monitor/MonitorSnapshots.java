@@ -1,5 +1,6 @@
 package org.robonewbie.studio.monitor;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
@@ -7,6 +8,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
@@ -15,6 +17,9 @@ import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredRobot;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.protocol.order.PlayerNumber;
+import org.robonewbie.robot.RobotState;
+import org.robonewbie.simulator.PitchDetails;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.physics.BodyPose;
@@ -41,17 +46,37 @@ final class MonitorSnapshots {
                 game.scoreLeft(),
                 game.scoreRight(),
                 game.half(),
-                world.ball().map(TransformNode::position).orElse(Vector3.ZERO),
-                world.ball().map(ball -> rotation(ball).toQuaternion()).orElse(Rotation.NONE),
-                world.robots().stream().map(robot -> robot(robot, game)).toList(),
-                MonitoredThings.of(world),
+                ball(world).position(),
+                ball(world).rotation(),
+                robots(world, game),
+                world.rsmp().isPresent() ? List.of() : MonitoredThings.of(world),
                 standing,
                 1,
                 realTimeFactor);
     }
 
+    private static Pose ball(MonitoredWorld world) {
+        return world.rsmp().isPresent()
+                ? world.rsmp().get().ball().orElse(Pose.ORIGIN)
+                : world.ball()
+                        .map(ball -> new Pose(ball.position(), rotation(ball).toQuaternion()))
+                        .orElse(Pose.ORIGIN);
+    }
+
+    private static List<RobotSnapshot> robots(MonitoredWorld world, MonitoredGame game) {
+        return world.rsmp().isPresent()
+                ? world.rsmp().get().robots().stream()
+                        .map(robot -> snapshot(robot.player(), game, robot.state()))
+                        .toList()
+                : world.robots().stream().map(robot -> robot(robot, game)).toList();
+    }
+
     /** Returns the dimensions of the pitch; values that the server does not send default to the league's. */
-    static SoccerField field(Environment environment) {
+    static SoccerField field(MonitoredWorld world) {
+        Environment environment = world.environment();
+        if (world.rsmp().isPresent()) {
+            return RsmpPitch.field(environment);
+        }
         SoccerField league = SoccerField.LEAGUE;
         double goalWidth = environment.measure("GoalWidth").orElse(league.goalWidth());
         double areaWidth = environment.measure("GoalieAreaWidth").orElse(league.penaltyWidth() + league.goalWidth());
@@ -67,27 +92,37 @@ final class MonitorSnapshots {
                 environment.measure("CenterCircleRadius").orElse(circle));
     }
 
+    /** Returns ball and markings of the pitch. */
+    static PitchDetails details(MonitoredWorld world) {
+        return world.rsmp().isPresent() ? RsmpPitch.details(world.environment()) : PitchDetails.SIMSPARK;
+    }
+
     private static String team(MonitoredGame game, TeamSide side) {
         Optional<String> name = side == TeamSide.LEFT ? game.teamLeft() : game.teamRight();
         return name.orElse("");
     }
 
     private static RobotSnapshot robot(MonitoredRobot robot, MonitoredGame game) {
-        TeamSide side = robot.player().side();
         NaoModel model = NaoModel.of(robot.type());
-        String name = team(game, side);
-        return new RobotSnapshot(
-                ROBOTS_PER_SIDE * side.ordinal() + robot.player().number(),
-                name.isEmpty() ? side.name().toLowerCase(Locale.ROOT) : name,
-                Optional.of(side),
-                robot.player().number(),
-                BodyState.ofHinges(robot.type(), torso(robot), hingeDegrees(robot, model)));
+        BodyState body = BodyState.ofHinges(robot.type(), torso(robot), hingeDegrees(robot, model));
+        return snapshot(robot.player(), game, new RobotState.OfNao(body));
     }
 
-    private static org.robonewbie.nao.kinematics.Pose torso(MonitoredRobot robot) {
+    private static RobotSnapshot snapshot(PlayerNumber player, MonitoredGame game, RobotState state) {
+        TeamSide side = player.side();
+        String name = team(game, side);
+        return new RobotSnapshot(
+                ROBOTS_PER_SIDE * side.ordinal() + player.number(),
+                name.isEmpty() ? side.name().toLowerCase(Locale.ROOT) : name,
+                Optional.of(side),
+                player.number(),
+                state);
+    }
+
+    private static Pose torso(MonitoredRobot robot) {
         return robot.link(NaoModel.TORSO)
                 .map(part -> new BodyPose(part.position(), rotation(part)).toBodyAxes())
-                .orElse(org.robonewbie.nao.kinematics.Pose.ORIGIN);
+                .orElse(Pose.ORIGIN);
     }
 
     private static double[] hingeDegrees(MonitoredRobot robot, NaoModel model) {

@@ -1,25 +1,33 @@
 package org.robonewbie.studio.monitor;
 
 import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.protocol.monitor.RsmpWorld;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.simulator.PitchDetails;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
  * A remote simulation, watched and controlled through the monitor port of a SimSpark server (protocol: SimSpark's
- * {@code sparkmonitor.cpp} and {@code trainercommandparser.cpp}). Reconnects when the server is restarted.
+ * {@code sparkmonitor.cpp} and {@code trainercommandparser.cpp}) or of RCSSServerMJ ({@code soccer_command_parser.py}). Reconnects
+ * when the server is restarted.
  *
  * <p>A monitor cannot stop the server's clock, so pause, step and speed are refused.
  *
@@ -31,6 +39,7 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 public final class MonitoredSimulation implements SimulationControl, AutoCloseable {
 
     private static final String NO_CLOCK = "A simulation in another process cannot be paused or sped up.";
+    private static final long MAX_END_MILLIS = 3000;
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final String host;
@@ -40,10 +49,19 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     private final MonitorClock clock = new MonitorClock();
     private volatile MonitorLink link;
     private volatile SoccerField field = SoccerField.LEAGUE;
+    private volatile PitchDetails details = PitchDetails.SIMSPARK;
+    private volatile boolean isLeague;
+    private volatile Optional<WorldSnapshot> lastSnapshot = Optional.empty();
     private volatile boolean open = true;
+    private final Supplier<Optional<Path>> recording;
+    private final List<MatchEvent> newEvents = new ArrayList<>();
+    private Optional<MonitorRecorder> recorder = Optional.empty();
+    private boolean hasRecorder;
+    private boolean hasProblem;
     private MonitoredGame lastGame = MonitoredGame.UNKNOWN;
 
-    private MonitoredSimulation(String host, int port, MonitorLink link) {
+    private MonitoredSimulation(String host, int port, Supplier<Optional<Path>> recording, MonitorLink link) {
+        this.recording = recording;
         this.host = host;
         this.port = port;
         this.link = link;
@@ -59,7 +77,22 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
      * @throws IOException if no server responds; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port) throws IOException {
-        MonitoredSimulation simulation = new MonitoredSimulation(host, port, MonitorLink.connect(host, port));
+        return connect(host, port, Optional::empty);
+    }
+
+    /**
+     * Connects to a server and starts watching it.
+     *
+     * @param host host name or IP address of the server
+     * @param port its monitor port
+     * @param recording names the file to which a match of RCSSServerMJ is recorded; called once such a match is seen
+     * @return the remote simulation
+     * @throws IOException if no server responds; the message says what to do
+     */
+    public static MonitoredSimulation connect(String host, int port, Supplier<Optional<Path>> recording)
+            throws IOException {
+        MonitorLink link = MonitorLink.connect(host, port);
+        MonitoredSimulation simulation = new MonitoredSimulation(host, port, recording, link);
         simulation.thread.start();
         return simulation;
     }
@@ -76,6 +109,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
             link.close();
             seekAgain();
         }
+        recorder.ifPresent(MonitorRecorder::close);
     }
 
     private void seekAgain() {
@@ -95,16 +129,52 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     private void take(MonitoredWorld world) throws IOException {
+        isLeague = world.rsmp().isPresent();
+        reportProblem(world);
         if (!world.isCurrent()) {
-            link.send(new Order.RequestFullState());
+            if (!isLeague) {
+                link.send(new Order.RequestFullState());
+            }
             return;
         }
-        field = MonitorSnapshots.field(world.environment());
-        clock.tick(world.gameState());
+        field = MonitorSnapshots.field(world);
+        details = MonitorSnapshots.details(world);
+        clock.tick(world);
         reportEvents(world);
         WorldSnapshot snapshot =
                 MonitorSnapshots.of(world, clock.cycle(), clock.realTimeFactor(), clock.isStandingStill());
+        record(world, snapshot);
+        lastSnapshot = Optional.of(snapshot);
         observers.forEach(observer -> observer.cycleEnded(snapshot));
+    }
+
+    /** Records a match of RCSSServerMJ, which keeps no recording that could be replayed without this program. */
+    private void record(MonitoredWorld world, WorldSnapshot snapshot) throws IOException {
+        if (isLeague && !hasRecorder) {
+            hasRecorder = true;
+            Optional<Path> file = recording.get();
+            if (file.isPresent()) {
+                RecordingFile target = RecordingFile.open(
+                        file.get(), sentence -> observers.forEach(observer -> observer.messagePrinted(sentence)));
+                recorder = Optional.of(MonitorRecorder.open(target, world));
+            }
+        }
+        recorder.ifPresent(target -> {
+            newEvents.forEach(target::happened);
+            target.write(snapshot);
+        });
+        newEvents.clear();
+    }
+
+    /** Reports the first message that is not understood; the next ones usually follow from it. */
+    private void reportProblem(MonitoredWorld world) {
+        Optional<RsmpWorld.Problem> problem = world.rsmp().flatMap(RsmpWorld::problem);
+        if (problem.isPresent() && !hasProblem) {
+            String sentence = "The server sent what this version cannot read. " + problem.get()
+                    + " The picture goes on with the next complete scene.";
+            observers.forEach(observer -> observer.messagePrinted(sentence));
+        }
+        hasProblem = problem.isPresent();
     }
 
     private void reportEvents(MonitoredWorld world) {
@@ -114,6 +184,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     private void report(MatchEvent event) {
+        newEvents.add(event);
         observers.forEach(observer -> observer.happened(event));
     }
 
@@ -132,20 +203,49 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     @Override
+    public PitchDetails pitchDetails() {
+        return details;
+    }
+
+    @Override
     public boolean hasClock() {
         return false;
+    }
+
+    @Override
+    public boolean canSetMatch() {
+        return !isLeague;
     }
 
     @Override
     public void order(Order order) {
         if (order instanceof Order.Clock) {
             throw new UnsupportedOperationException(NO_CLOCK);
+        } else if (isLeague) {
+            orderLeague(order);
         } else if (order instanceof Order.Trainer known) {
             send(known);
         } else if (order instanceof Order.PlaceRobot place) {
             send(new Order.MoveAndTurnRobot(place.player(), place.position(), place.headingDegrees() - 90));
         } else if (order instanceof Order.Reset) {
             reset();
+        }
+    }
+
+    /**
+     * Sends an order that RCSSServerMJ executes, and ignores all others. Unlike SimSpark, it measures the heading from the x axis, and
+     * needs the position of a ball that is thrown.
+     */
+    private void orderLeague(Order order) {
+        if (order instanceof Order.KickOff || order instanceof Order.DropBall) {
+            send((Order.Trainer) order);
+        } else if (order instanceof Order.PlaceRobot place) {
+            send(new Order.MoveAndTurnRobot(place.player(), place.position(), place.headingDegrees()));
+        } else if (order instanceof Order.MoveBall move) {
+            Vector3 now = lastSnapshot.map(WorldSnapshot::ballPosition).orElse(Vector3.ZERO);
+            Vector3 position = move.position().orElse(now);
+            double height = Math.max(details.ballRadius(), position.z());
+            send(new Order.MoveBall(Optional.of(new Vector3(position.x(), position.y(), height)), move.velocity()));
         }
     }
 
@@ -173,5 +273,10 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
         open = false;
         link.close();
         LockSupport.unpark(thread);
+        try {
+            thread.join(MAX_END_MILLIS);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

@@ -113,7 +113,7 @@ final class RecordingFolders implements RecordingStore {
 
     private List<Path> files() throws IOException {
         List<Path> files =
-                new ArrayList<>(opened.stream().map(Path::toAbsolutePath).toList());
+                new ArrayList<>(opened.stream().map(RecordingFolders::present).toList());
         if (repository.isPresent()) {
             for (Path file : repository.get().list()) {
                 addIfItLiesThere(file.toAbsolutePath(), files);
@@ -125,6 +125,13 @@ final class RecordingFolders implements RecordingStore {
             }
         }
         return files.stream().distinct().toList();
+    }
+
+    /** Returns the current path of a recording, which has another name while it is being written. */
+    private static Path present(Path recording) {
+        Path file = recording.toAbsolutePath();
+        Path part = AtomicFile.part(file);
+        return !Files.exists(file) && Files.exists(part) ? part : file;
     }
 
     private static void addIfItLiesThere(Path file, List<Path> files) {

@@ -1,6 +1,7 @@
 package org.robonewbie.studio.replay;
 
 import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -119,6 +120,7 @@ public final class RunWatch implements RecordingState.Listener {
      * ways                  trails of the robots, with their side: 0 for no team, 1 for the left team, 2 for the right team
      * events                index of the cycle, kind (goal, foul, playmode or fall) and text
      * rosters               line-ups of robots, each with its number of cycles
+     * models                models of robots that are not NAOs, by the name of their type
      * header                header of the recording
      * </pre>
      *
@@ -127,6 +129,8 @@ public final class RunWatch implements RecordingState.Listener {
     public JsonObject summary() {
         JsonObject header = new JsonObject();
         state.header().forEach(header::addProperty);
+        JsonObject models = new JsonObject();
+        state.models().forEach((type, model) -> models.add(type, JsonParser.parseString(model)));
         return Json.object(
                 "count", count,
                 "firstCycle", firstCycle,
@@ -142,6 +146,7 @@ public final class RunWatch implements RecordingState.Listener {
                         Json.array(rosters.entrySet().stream()
                                 .filter(entry -> entry.getValue()[0] > 0)
                                 .map(RunWatch::roster)),
+                "models", models,
                 "header", header);
     }
 
@@ -159,7 +164,7 @@ public final class RunWatch implements RecordingState.Listener {
     }
 
     private static JsonObject member(ListedRobot robot) {
-        return Json.object("type", robot.type().name(), "number", robot.number(), "team", robot.team());
+        return Json.object("type", robot.typeName(), "number", robot.number(), "team", robot.team());
     }
 
     private static double size(JsonObject header, String name, double otherwise) {

@@ -116,7 +116,7 @@ class MonitorLogReaderTest {
 
         assertThatThrownBy(() -> MonitorLogReader.convert(file, folder.resolve("none.rec")))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("is not a SimSpark server log: it contains no complete scene.");
+                .hasMessageContaining("is not a server log: it contains no complete scene.");
         assertThat(folder.resolve("none.rec")).doesNotExist();
     }
 }

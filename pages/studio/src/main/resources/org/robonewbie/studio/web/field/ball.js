@@ -1,8 +1,6 @@
 /** The ball: white with twelve dark pentagons, so that its rotation is visible. */
 import * as THREE from 'three';
-
-/** Radius of SimSpark's ball in metres. */
-export const BALL_RADIUS = 0.042;
+import { BALL_RADIUS } from '../state/ball-radius.js';
 
 /** Segments per edge of the icosahedron; a multiple of three gives exact pentagons. */
 const PARTS = { fine: 9, coarse: 6, tiny: 3 };

@@ -1,4 +1,5 @@
 /** Camera controller: provides five camera modes and moves the view with the mouse and the keyboard. */
+import { figureOf } from '../state/figure.js';
 import { headingDegrees, POSE, rotated } from '../state/kinematics.js';
 import { hasJumped } from '../state/smoothing.js';
 import { eye, moved, overview, robotCentre, robotView, turned, zoomed, zoomedTo } from '../state/view-point.js';
@@ -197,8 +198,16 @@ export class CameraController {
       this.headingDegrees = headingDegrees(torso);
     }
     this.followed = torso;
-    const target = robotCentre(torso);
-    this.view = this.isComposed ? robotView(target, this.headingDegrees, this.free()) : { ...this.view, target };
+    const { height } = figureOf(this.#model);
+    const target = robotCentre(torso, height);
+    const { view, headingDegrees: heading } = this;
+    this.view = this.isComposed ? robotView(target, heading, this.free(), height) : { ...view, target };
+  }
+
+  /** The model of the chosen robot. */
+  get #model() {
+    const { models, robots } = /** @type {Scene} */ (this.scene);
+    return models[robots[this.chosen].type];
   }
 
   /** The view of the followed robot, if the camera follows one. @type {ViewPoint | undefined} */
@@ -216,11 +225,11 @@ export class CameraController {
 
   /** @param {Float32Array} robot */
   #lookThroughEyes(robot) {
-    const model = /** @type {Scene} */ (this.scene).models[this.scene?.robots[this.chosen].type ?? ''];
-    const head = model.links.findIndex(({ name }) => name === 'head');
+    const { head, eye: camera } = figureOf(this.#model);
     const at = head * POSE;
     const forward = rotated(robot, head, [0, 1, 0]);
-    const place = [0, 1, 2].map((i) => robot[at + i] + 0.075 * forward[i]);
+    const toEye = rotated(robot, head, camera);
+    const place = [0, 1, 2].map((i) => robot[at + i] + toEye[i]);
     this.camera.up.set(...threeNumbers(rotated(robot, head, [0, 0, 1])));
     this.camera.position.set(...threeNumbers(place));
     this.camera.lookAt(place[0] + forward[0], place[1] + forward[1], place[2] + forward[2]);

@@ -1,6 +1,7 @@
 /** 3D view of the field: creates and renders the three.js scene; the caller supplies the content. */
 import * as THREE from 'three';
-import { ball, BALL_RADIUS, ballShape } from './ball.js';
+import { BALL_RADIUS, ballRadiusOf } from '../state/ball-radius.js';
+import { ball, ballShape } from './ball.js';
 import { BallTrail } from './ball-trail.js';
 import { Board } from './board.js';
 import { FieldDrawings } from './drawings.js';
@@ -141,7 +142,8 @@ export class FieldView {
 
   /** @param {Scene} content teams, robots and field */
   setScene(content) {
-    if (JSON.stringify(content.field) !== JSON.stringify(this.content?.field)) {
+    const groundOf = (/** @type {Scene | undefined} */ scene) => JSON.stringify([scene?.field, scene?.details]);
+    if (groundOf(content) !== groundOf(this.content)) {
       this.goals.setField(content.field);
       this.#layPitch(content);
     }
@@ -159,7 +161,7 @@ export class FieldView {
     if (this.pitch) {
       this.scene.remove(this.pitch);
     }
-    this.pitch = pitch(content.field, this.palette, this.quality.glossy);
+    this.pitch = pitch(content, this.palette, this.quality.glossy);
     this.scene.add(this.pitch);
     this.#drawShadows();
   }
@@ -269,7 +271,7 @@ export class FieldView {
 
   #render() {
     const minDiameter = MIN_BALL_PIXELS * this.metresPerPixel(this.ball.position);
-    this.ball.scale.setScalar(Math.max(1, minDiameter / (2 * BALL_RADIUS)));
+    this.ball.scale.setScalar(Math.max(ballRadiusOf(this.content), minDiameter / 2) / BALL_RADIUS);
     this.board.follow(this.robots.poses, this.content?.robots ?? []);
     this.trail.setPixelRatio(this.renderer.getPixelRatio());
     this.camera.updateMatrixWorld();

@@ -1,6 +1,6 @@
 /** Draws the robots and the ball of a finished trial as transparent ghosts alongside those of the current one. */
 import * as THREE from 'three';
-import { BALL_RADIUS } from './ball.js';
+import { BALL_RADIUS, ballRadiusOf } from '../state/ball-radius.js';
 import { ghostMaterial } from './materials.js';
 import { InstancedRobots } from './instanced-robots.js';
 
@@ -20,7 +20,7 @@ export class Ghosts {
 
   /** @param {THREE.Scene} place @param {import('../state/quality.js').Quality} quality */
   constructor(place, quality) {
-    this.robots = new InstancedRobots(ghostMaterial());
+    this.robots = new InstancedRobots(ghostMaterial);
     this.robots.setQuality({ ...quality, ...NO_NEAR_ROBOTS });
     this.ball = new THREE.Mesh(
       new THREE.SphereGeometry(BALL_RADIUS, 16, 12),
@@ -41,6 +41,7 @@ export class Ghosts {
       this.robots.update(moment.frame.robots, eye);
       const [x, y, z] = moment.frame.ball;
       this.ball.position.set(x, y, z);
+      this.ball.scale.setScalar(ballRadiusOf(moment.scene) / BALL_RADIUS);
     }
   }
 

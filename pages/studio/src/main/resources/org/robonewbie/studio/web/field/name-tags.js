@@ -1,16 +1,15 @@
 /** Name tags above the robots. They are page elements and not rendered by WebGL, so they stay sharp at every quality level. */
 import * as THREE from 'three';
 import { element } from '../panels/elements.js';
+import { figureOf } from '../state/figure.js';
 import { nameOf, shownTags } from '../state/name-tags.js';
-
-/** Height of a tag above the centre of the torso, enough to clear the head. */
-const METRES_ABOVE_TORSO = 0.31;
-const ROBOT_METRES = 0.57;
 
 const place = new THREE.Vector3();
 
 export class NameTags {
   #isOn = true;
+  /** @type {import('../state/figure.js').Figure[]} */
+  #figures = [];
   /** @type {HTMLElement[]} */
   #tags = [];
   /** @type {Array<{width: number, height: number}>} */
@@ -23,7 +22,8 @@ export class NameTags {
   }
 
   /** @param {import('../live/state-frame.js').Scene} scene scene with the robots */
-  setScene({ robots }) {
+  setScene({ robots, models }) {
+    this.#figures = robots.map(({ type }) => figureOf(models[type]));
     this.#tags = robots.map((player) => {
       const tag = element('span', { class: 'name-tag', 'data-side': player.side }, nameOf(player));
       tag.style.visibility = 'hidden';
@@ -59,8 +59,9 @@ export class NameTags {
     }
     const tags = poses.map(([x, y, z], i) => {
       const metres = Math.hypot(x - camera.position.x, y - camera.position.y, z - camera.position.z);
-      const at = place.set(x, y, z + METRES_ABOVE_TORSO).project(camera);
-      const robotPixels = at.z < 1 && z !== 0 ? (ROBOT_METRES * height) / (2 * slope * metres) : 0;
+      const { aboveTorso, height: robotMetres } = this.#figures[i];
+      const at = place.set(x, y, z + aboveTorso).project(camera);
+      const robotPixels = at.z < 1 && z !== 0 ? (robotMetres * height) / (2 * slope * metres) : 0;
       return { x: ((at.x + 1) / 2) * width, y: ((1 - at.y) / 2) * height, metres, robotPixels, ...this.#sizes[i] };
     });
     const shown = shownTags(tags);

@@ -2,6 +2,8 @@
  * Appearance of the NAO: white shells over dark joints, round eyes, parts in the team's colour. Each limb is designed in the frame of the
  * simulated robot's link: x to the robot's right, y forward, z up, in metres. Only right limbs are designed; left ones are mirror images.
  */
+import * as THREE from 'three';
+import { limbFit } from '../state/limb-fit.js';
 import { barrel, disc, ellipsoid, loft } from './loft.js';
 import { FOOT, FOREARM, HAND, HEAD, SHANK, SOLE, THIGH, TORSO, UPPER_ARM } from './nao-shells.js';
 import { assembled, joined, mirrored, piece } from './parts.js';
@@ -23,7 +25,7 @@ import { assembled, joined, mirrored, piece } from './parts.js';
  */
 
 /** Levels of detail: near, at middle distance, far away. @type {Record<'fine' | 'coarse' | 'tiny', Facets>} */
-const FACETS = {
+export const FACETS = {
   fine: { body: { segments: 24, rings: 14 }, small: { segments: 18, rings: 9 }, disc: 24, hasDetails: true },
   coarse: { body: { segments: 10, rings: 7 }, small: { segments: 8, rings: 4 }, disc: 10, hasDetails: true },
   tiny: { body: { segments: 5, rings: 4 }, small: { segments: 4, rings: 2 }, disc: 4, hasDetails: false },
@@ -85,6 +87,23 @@ export function numberPlates() {
     { limb: LIMBS.indexOf('body'), body: loft(TORSO, { ...patch, around: [-27, 27], along: [0.5, 0.71] }) },
     { limb: LIMBS.indexOf('body'), body: loft(TORSO, { ...patch, around: [146, 214], along: [0.44, 0.71] }) },
   ]);
+}
+
+/** @type {import('./robot-batch.js').Design} */
+export const NAO_DESIGN = {
+  limbs: LIMBS.length,
+  body: naoBody,
+  plates: numberPlates,
+  limbsOf: (model) => model.links.map(({ name }, link) => ({ limb: LIMBS.indexOf(name), fit: fitMatrix(model, link) })),
+};
+
+/**
+ * @param {import('../state/kinematics.js').RobotModel} model
+ * @param {number} link
+ */
+function fitMatrix(model, link) {
+  const { scale, offset } = limbFit(model, link);
+  return new THREE.Matrix4().makeScale(scale[0], scale[1], scale[2]).setPosition(offset[0], offset[1], offset[2]);
 }
 
 /** @param {Facets} facets */

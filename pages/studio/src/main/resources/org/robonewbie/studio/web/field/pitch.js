@@ -6,7 +6,10 @@ import * as THREE from 'three';
 import { raised, ring } from '../state/drawing-shapes.js';
 import { flatMaterial, screenColour, tinted } from './flat-material.js';
 
-/** @typedef {import('../live/state-frame.js').Field} Field */
+/**
+ * @typedef {import('../live/state-frame.js').Field} Field
+ * @typedef {import('../live/state-frame.js').Details} Details
+ */
 
 const LINE_WIDTH = 0.05;
 const BORDER = 1;
@@ -16,14 +19,19 @@ const OVER_GRASS = 0.002;
 const BLADES_METRES = 0.9;
 
 /**
- * @param {Field} field
+ * @param {{field: Field, details?: Details}} scene
  * @param {import('./light.js').Palette} colours
  * @param {boolean} blades whether the grass has a texture
  * @returns {THREE.Group}
  */
-export function pitch(field, colours, blades) {
+export function pitch({ field, details }, colours, blades) {
   const group = new THREE.Group();
-  group.add(surround(field, colours), grass(field, colours, blades), lines(field, colours.line), shadowSheet());
+  group.add(
+    surround(field, colours),
+    grass(field, colours, blades),
+    lines(linePlaces(field, details), colours.line),
+    shadowSheet(field),
+  );
   return group;
 }
 
@@ -99,12 +107,12 @@ function grain() {
 }
 
 /**
- * @param {Field} field
+ * @param {number[]} places
  * @param {number} colour
  */
-function lines(field, colour) {
+function lines(places, colour) {
   const mesh = new THREE.Mesh(
-    flat(linePlaces(field)),
+    flat(places),
     new THREE.MeshBasicMaterial({
       color: colour,
       polygonOffset: true,
@@ -116,8 +124,10 @@ function lines(field, colour) {
   return mesh;
 }
 
-function shadowSheet() {
-  const sheet = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.ShadowMaterial({ opacity: 0.42 }));
+/** @param {Field} field */
+function shadowSheet(field) {
+  const metres = Math.max(60, field.length + 10);
+  const sheet = new THREE.Mesh(new THREE.PlaneGeometry(metres, metres), new THREE.ShadowMaterial({ opacity: 0.42 }));
   sheet.position.z = 2 * OVER_GRASS;
   sheet.receiveShadow = true;
   sheet.name = 'shadow-sheet';
@@ -128,9 +138,10 @@ function shadowSheet() {
  * Returns all lines as triangles on the ground.
  *
  * @param {Field} field
+ * @param {Details} [details]
  * @returns {number[]} x, y, z of each vertex
  */
-export function linePlaces(field) {
+export function linePlaces(field, details) {
   const { length, width, penaltyLength, centreCircleRadius: radius } = field;
   const penaltyWidth = field.goalWidth + field.penaltyWidth;
   return [
@@ -140,7 +151,21 @@ export function linePlaces(field) {
     ...raised(ring([0, 0], 0, 1.6 * LINE_WIDTH, 16), 0),
     ...frame(-length / 2, -penaltyWidth / 2, -length / 2 + penaltyLength, penaltyWidth / 2),
     ...frame(length / 2 - penaltyLength, -penaltyWidth / 2, length / 2, penaltyWidth / 2),
+    ...(details ? goalAreas(field, details) : []),
   ];
+}
+
+/** @param {Field} field @param {Details} details @returns {number[]} goal areas and penalty spots */
+function goalAreas({ length }, { goalAreaLength, goalAreaWidth, penaltySpotDistance }) {
+  return [-1, 1].flatMap((end) => {
+    const [line, front] = [(end * length) / 2, end * (length / 2 - goalAreaLength)];
+    const [left, right] = [Math.min(line, front), Math.max(line, front)];
+    const spot = ring([end * (length / 2 - penaltySpotDistance), 0], 0, 1.6 * LINE_WIDTH, 16);
+    return [
+      ...(goalAreaLength > 0 ? frame(left, -goalAreaWidth / 2, right, goalAreaWidth / 2) : []),
+      ...(penaltySpotDistance > 0 ? raised(spot, 0) : []),
+    ];
+  });
 }
 
 /**

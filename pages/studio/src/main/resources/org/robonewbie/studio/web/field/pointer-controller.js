@@ -1,7 +1,7 @@
 /** Pointer controller for the pitch: turns and moves the view, selects robots, drags and throws the ball, drags and turns robots. */
 import { headingTo, throwOf } from '../state/grip.js';
 import { headingDegrees, standingHeight } from '../state/kinematics.js';
-import { BALL_RADIUS } from './ball.js';
+import { ballRadiusOf } from '../state/ball-radius.js';
 import { Pointing } from './pointing.js';
 
 /**
@@ -162,9 +162,10 @@ export class PointerController {
     if (grip.thing?.kind === 'robot') {
       this.#place(grip, grip.thing.robot, event);
     } else if (grip.action === 'carry') {
-      const place = this.pointing.groundAt(event, BALL_RADIUS);
+      const radius = ballRadiusOf(this.world.now().scene);
+      const place = this.pointing.groundAt(event, radius);
       if (place) {
-        this.world.send({ do: 'placeBall', gesture: grip.gesture, x: place.x, y: place.y, z: BALL_RADIUS });
+        this.world.send({ do: 'placeBall', gesture: grip.gesture, x: place.x, y: place.y, z: radius });
       }
     } else {
       this.#showSpeed(grip);

@@ -1,7 +1,8 @@
 /** Picking: finds the ball, a robot, the ring around one of them, or the ground under the pointer. */
 import * as THREE from 'three';
 import { isOnRing, ringRadius } from '../state/grip.js';
-import { BALL_RADIUS } from './ball.js';
+import { ballRadiusOf } from '../state/ball-radius.js';
+import { figureOf } from '../state/figure.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Frame} Frame
@@ -11,7 +12,8 @@ import { BALL_RADIUS } from './ball.js';
  * @typedef {{kind: 'ball'} | {kind: 'robot', robot: number}} Thing
  */
 
-const REACH = { ball: 2 * BALL_RADIUS, robot: 0.2 };
+/** Distance from the torso at which a robot is picked, as a fraction of its height. */
+const ROBOT_REACH = 0.35;
 const MIN_REACH_PER_METRE = 0.012;
 const BORDER_METRES = 1;
 
@@ -88,10 +90,17 @@ export class Pointing {
       const [x, y, z] = /** @type {Float32Array} */ (this.poseOf(thing));
       const centre = new THREE.Vector3(x, y, z);
       const distance = centre.distanceTo(ray.origin);
-      const reach = Math.max(REACH[thing.kind], MIN_REACH_PER_METRE * distance);
+      const reach = Math.max(this.#reachOf(thing), MIN_REACH_PER_METRE * distance);
       return ray.distanceToPoint(centre) < reach ? [{ thing, distance }] : [];
     });
     return hits.sort((a, b) => a.distance - b.distance)[0]?.thing;
+  }
+
+  /** @param {Thing} thing @returns {number} metres */
+  #reachOf(thing) {
+    const { scene } = this.now();
+    const model = thing.kind === 'robot' ? scene?.models[scene.robots[thing.robot].type] : undefined;
+    return model ? ROBOT_REACH * figureOf(model).height : 2 * ballRadiusOf(scene);
   }
 
   /**

@@ -1,18 +1,19 @@
 /** Soft round spots under the feet, the bodies and the ball: a cheap approximation of shadows. */
 import * as THREE from 'three';
 import { POSE } from '../state/kinematics.js';
-import { BALL_RADIUS } from './ball.js';
+import { BALL_RADIUS, ballRadiusOf } from '../state/ball-radius.js';
+import { figureOf } from '../state/figure.js';
 
 /** @typedef {import('../live/state-frame.js').Scene} Scene */
 
 const OVER_LINES = 0.004;
 
-/** Shadow casters: a link, half width and half length of its spot in metres, and its darkness on the ground. */
-const CASTERS = [
-  { link: 'body', wide: 0.2, long: 0.2, dark: 0.42, reach: 0.8 },
-  { link: 'rfoot', wide: 0.085, long: 0.125, dark: 0.6, reach: 0.12 },
-  { link: 'lfoot', wide: 0.085, long: 0.125, dark: 0.6, reach: 0.12 },
-];
+/** Shadow casters: half width and half length of a spot in metres, its darkness on the ground, and up to which height it is seen. */
+const BODY = { wide: 0.2, long: 0.2, dark: 0.42, reach: 0.8 };
+const FOOT = { wide: 0.085, long: 0.125, dark: 0.6, reach: 0.12 };
+
+/** Height of the NAO, for which the spots are made. */
+const NAO_METRES = 0.58;
 
 export class SoftShadows {
   constructor() {
@@ -40,19 +41,19 @@ export class SoftShadows {
         }`,
     });
     this.group = new THREE.Group();
-    /** @type {Array<{robot: number, link: number, caster: typeof CASTERS[0]}>} */
+    this.radius = BALL_RADIUS;
+    /** @type {Array<{robot: number, link: number, caster: typeof BODY}>} */
     this.places = [];
   }
 
   /** @param {Scene} scene */
   setScene(scene) {
-    this.places = scene.robots.flatMap(({ type }, robot) =>
-      CASTERS.map((caster) => ({
-        robot,
-        caster,
-        link: scene.models[type].links.findIndex(({ name }) => name === caster.link),
-      })),
-    );
+    this.radius = ballRadiusOf(scene);
+    this.places = scene.robots.flatMap(({ type }, robot) => {
+      const { height, feet } = figureOf(scene.models[type]);
+      const caster = (/** @type {typeof BODY} */ spot) => scaled(spot, height / NAO_METRES);
+      return [{ robot, link: 0, caster: caster(BODY) }, ...feet.map((link) => ({ robot, link, caster: caster(FOOT) }))];
+    });
     const geometry = new THREE.CircleGeometry(1, 20);
     this.darkness = new THREE.InstancedBufferAttribute(new Float32Array(this.places.length + 1), 1);
     geometry.setAttribute('darkness', this.darkness);
@@ -74,8 +75,8 @@ export class SoftShadows {
       const height = Math.max(0, poses[robot][at + 2] - 0.015);
       this.#put(i, poses[robot], at, caster.wide, caster.long, caster.dark * Math.max(0, 1 - height / caster.reach));
     });
-    const height = Math.max(0, ball[2] - BALL_RADIUS);
-    const wide = 1.25 * BALL_RADIUS + 0.3 * height;
+    const height = Math.max(0, ball[2] - this.radius);
+    const wide = 1.25 * this.radius + 0.3 * height;
     this.#put(this.places.length, ball, 0, wide, wide, 0.75 / (1 + 12 * height), true);
     if (this.mesh && this.darkness) {
       this.mesh.instanceMatrix.needsUpdate = true;
@@ -101,6 +102,11 @@ export class SoftShadows {
     this.mesh?.setMatrixAt(index, matrix.compose(position, rotation, scale));
     this.darkness?.setX(index, dark);
   }
+}
+
+/** @param {typeof BODY} spot @param {number} factor */
+function scaled({ wide, long, dark, reach }, factor) {
+  return { wide: wide * factor, long: long * factor, dark, reach: reach * factor };
 }
 
 const up = new THREE.Vector3(0, 0, 1);

@@ -55,8 +55,16 @@
  * @property {string[]} playModes
  * @property {number} [agentPort] port for agents, if they can join
  * @property {boolean} [clock] whether the clock can be paused
+ * @property {boolean} [match] whether play mode, score and time can be set
+ * @property {Details} [details] ball and markings where they differ from SimSpark's
  * @property {boolean} [puppets] whether manually controlled robots can join
  * @property {Trial} [trial] the running trial of an exercise, if any
+ *
+ * @typedef {object} Details
+ * @property {number} ballRadius metres
+ * @property {number} goalAreaLength metres, 0 for no goal area
+ * @property {number} goalAreaWidth
+ * @property {number} penaltySpotDistance metres from the goal line, 0 for no spot
  *
  * @typedef {{task: string, attempt: number, seed: number}} Trial trials with the same task and seed start identically
  */

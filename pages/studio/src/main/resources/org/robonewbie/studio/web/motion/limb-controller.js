@@ -1,6 +1,6 @@
 /** Pointer controller for the motion editor's 3D view: drags limbs, and turns and moves the camera. */
 import * as THREE from 'three';
-import { poseMatrix } from '../field/instanced-robots.js';
+import { poseMatrix } from '../field/robot-batch.js';
 import { rotated } from '../state/kinematics.js';
 import { pointOf, posesOf } from '../state/motion/body.js';
 import { farFrom, limitSign, stuckJoint } from './limit-sign.js';

@@ -136,7 +136,7 @@ export class MotionStage {
 
   /** @param {number} count @param {THREE.Material} [material] */
   #instances(count, material) {
-    const instances = new InstancedRobots(material);
+    const instances = new InstancedRobots(material && (() => material));
     instances.setQuality({
       ...this.quality,
       nearDetail: count === 1 && isWebGl(this.renderer) ? 'fine' : 'coarse',

@@ -2,6 +2,7 @@
 import { CYCLE_SECONDS } from '../state/cycle.js';
 import { ALL_DRAWINGS, DrawingLayers, KINDS, layerOf } from '../state/drawing-layers.js';
 import { standOf } from '../state/drawing-shapes.js';
+import { figureOf } from '../state/figure.js';
 import { robotKey } from '../state/robot/telemetry.js';
 import { byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
@@ -47,8 +48,7 @@ export class DrawingController {
       if (!scene || !poses) {
         return [];
       }
-      const { links } = scene.models[scene.robots[index].type];
-      const head = links.findIndex(({ name }) => name === 'head');
+      const { head } = figureOf(scene.models[scene.robots[index].type]);
       const drawings = memory.at(robot, seconds).filter(({ shape }) => this.layers.shows(robot, shape));
       return drawings.map((drawing) => ({ stand: standOf(poses, head), drawing }));
     });

@@ -1,6 +1,6 @@
 /** Camera selection and referee commands. */
-import { BALL_RADIUS } from '../field/ball.js';
 import { CAMERAS } from '../field/camera-controller.js';
+import { BALL_RADIUS, ballRadiusOf } from '../state/ball-radius.js';
 import { playModeText } from '../state/play-mode.js';
 import { button, byId, check, choice, element, setEntries } from './elements.js';
 import { keep, recall } from './memory.js';
@@ -73,13 +73,17 @@ export function trainerPanel(send) {
     send({ do: 'playMode', mode }),
   );
   const panel = byId('trainer');
-  panel.append(element('h2', {}, 'Game'), element('div', { class: 'grid' }, ...trainerButtons(send)), modes);
+  let radius = BALL_RADIUS;
+  const buttons = trainerButtons(send, () => radius);
+  panel.append(element('h2', {}, 'Game'), element('div', { class: 'grid' }, ...buttons), modes);
   let listed = '';
   return ({ scene, frame }) => {
     panel.hidden = !scene || !frame;
     if (!scene || !frame) {
       return;
     }
+    radius = ballRadiusOf(scene);
+    modes.hidden = scene.match === false;
     const names = scene.playModes.join() + scene.teams.left + scene.teams.right;
     if (names !== listed) {
       listed = names;
@@ -94,13 +98,13 @@ export function trainerPanel(send) {
   };
 }
 
-/** @param {(command: object) => void} send */
-function trainerButtons(send) {
-  const centre = { do: 'placeBall', x: 0, y: 0, z: BALL_RADIUS };
+/** @param {(command: object) => void} send @param {() => number} radius of the ball, metres */
+function trainerButtons(send, radius) {
+  const centre = () => send({ do: 'placeBall', x: 0, y: 0, z: radius() });
   return [
     button('◀ Kick off', 'The left team kicks off (K)', () => send({ do: 'kickOff', side: 'left' })),
     button('Kick off ▶', 'The right team kicks off (L)', () => send({ do: 'kickOff', side: 'right' })),
     button('Drop ball', 'Drops the ball where it is (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
-    button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
+    button('Ball to centre', 'Puts the ball on the centre spot', centre),
   ];
 }

@@ -49,6 +49,9 @@ export function transportPanel(actions) {
   return (state) => {
     const shown = transport(state);
     drawControls(parts, shown, state.scene?.clock !== false);
+    for (const part of [toggle, step, reset, undo, redo, speedLabel]) {
+      part.hidden = state.scene?.match === false;
+    }
     reset.disabled = state.connection !== 'live' || !state.frame;
     drawUndo(undo, 'Undo', state.actions.undo, 'Ctrl+Z');
     drawUndo(redo, 'Redo', state.actions.redo, 'Ctrl+Shift+Z');

@@ -16,12 +16,13 @@ const LETTERS_PER_BYTE = 4 / 3;
 
 /**
  * @param {RecordingFile} file
- * @param {Record<string, RobotModel>} models
+ * @param {Record<string, RobotModel>} shippedModels
  * @param {Section} section
  * @param {Progress} progress
  * @returns {Promise<Blob>}
  */
-export async function tableOf({ run }, models, [from, to], progress) {
+export async function tableOf({ run }, shippedModels, [from, to], progress) {
+  const models = { ...shippedModels, ...run.summary.models };
   const robots = mainRoster(run.summary.rosters);
   const parts = [tableHead(robots, models)];
   let done = 0;

@@ -50,6 +50,11 @@ export class RecordingFile {
     return [...this.run.events, ...this.notes];
   }
 
+  /** Whether all robots are NAOs, so that the run can be saved as a SimSpark log. */
+  get isOfNaos() {
+    return Object.keys(this.run.summary.models ?? {}).length === 0;
+  }
+
   close() {
     this.open = false;
     clearTimeout(this.timer);

@@ -1,5 +1,5 @@
 /** Playback controls below the 3D view of a replay. */
-import { button, choice, element, setText } from '../panels/elements.js';
+import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { NO_CLOCK } from '../panels/transport.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 import { legend, ReplayLine } from './replay-line.js';
@@ -71,6 +71,7 @@ export class ReplayBar {
     for (const control of this.saves) {
       control.disabled = state.count === 0 || !file?.isWhole;
     }
+    byId('export-log').hidden = file !== undefined && !file.isOfNaos;
     this.line.draw(state, file?.events ?? []);
   }
 

@@ -1,6 +1,6 @@
 /** The output of a robot's camera, 120 by 120 degrees, drawn as a picture. */
-import { BALL_RADIUS } from '../field/ball.js';
 import { label, shape, title } from '../panels/drawing.js';
+import { BALL_RADIUS } from '../state/ball-radius.js';
 
 /**
  * @typedef {import('../state/robot/senses.js').Senses} Senses

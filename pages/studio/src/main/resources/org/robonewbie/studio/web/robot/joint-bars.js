@@ -1,5 +1,6 @@
 /** All joints of a robot: position within the range, angle, measured speed and commanded speed. */
 import { element, setText } from '../panels/elements.js';
+import { isNao } from '../state/figure.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { fixed } from '../state/numbers.js';
 
@@ -26,7 +27,7 @@ export function jointBars(place) {
     if (names !== shown) {
       shown = names;
       rows = hinges.map(newRow);
-      place.replaceChildren(columnHeads(), ...groupsOf(hinges, rows));
+      place.replaceChildren(columnHeads(), ...groupsOf(moment.model, rows));
     }
     drawRows(rows, moment);
   };
@@ -37,13 +38,15 @@ function columnHeads() {
   return element('div', { class: 'joint-columns' }, ...texts.map((text) => element('span', { class: 'faint' }, text)));
 }
 
-/** @param {readonly Hinge[]} hinges @param {readonly Row[]} rows */
-function groupsOf(hinges, rows) {
+/** @param {RobotMoment['model']} model @param {readonly Row[]} rows */
+function groupsOf(model, rows) {
+  const { hinges } = model;
   const isOther = (/** @type {string} */ joint) => !JOINT_GROUPS.some(({ test }) => test.test(joint));
-  const toes = hinges.some(({ joint }) => isOther(joint)) ? [{ title: 'Toes', test: { test: isOther } }] : [];
-  return [...JOINT_GROUPS, ...toes].map(({ title, test }) => {
-    const lines = rows.filter((_, i) => test.test(hinges[i].joint)).map(({ line }) => line);
-    return element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...lines);
+  const title = isNao(model) ? 'Toes' : 'Body';
+  return [...JOINT_GROUPS, { title, test: { test: isOther } }].flatMap((group) => {
+    const lines = rows.filter((_, i) => group.test.test(hinges[i].joint)).map(({ line }) => line);
+    const words = { class: 'joint-group', 'aria-label': group.title };
+    return lines.length > 0 ? [element('section', words, element('h2', {}, group.title), ...lines)] : [];
   });
 }
 

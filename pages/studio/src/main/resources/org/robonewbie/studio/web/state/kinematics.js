@@ -9,6 +9,13 @@
  * @property {string} name
  * @property {number[]} position centre in the construction pose, relative to the torso's centre, metres
  * @property {number[]} size
+ * @property {Shape[]} [shapes] shapes to draw; absent for the NAO, which has a figure of its own
+ *
+ * @typedef {object} Shape
+ * @property {'box' | 'sphere' | 'capsule'} kind a capsule lies along its z axis
+ * @property {number[]} size size of its bounding box
+ * @property {number[]} position centre in the link's frame
+ * @property {number[]} rotation quaternion w, x, y, z
  *
  * @typedef {object} Hinge
  * @property {string} joint
@@ -19,9 +26,11 @@
  * @property {number} minDegrees
  * @property {number} maxDegrees
  * @property {string} effector name of the effector in messages
- * @property {number} maxSpeed maximum speed of its motor, degrees per second
+ * @property {number} maxSpeed maximum speed of its motor, degrees per second; absent for a motor without a limit of speed
  *
  * @typedef {object} RobotModel
+ * @property {string} [name] name of the model; absent for the NAO
+ * @property {number} [stanceHeight] height of the torso in the stance, metres; 0 if it is not known
  * @property {Link[]} links links, the torso first
  * @property {Hinge[]} hinges hinges, parents before children
  */

@@ -11,7 +11,7 @@
 const LOWEST_DEGREES = 2;
 const HIGHEST_DEGREES = 89.9;
 const NEAREST = 0.35;
-const FARTHEST = 60;
+const FARTHEST = 90;
 const RADIANS = Math.PI / 180;
 
 /**
@@ -50,8 +50,8 @@ export function moved(view, right, up) {
   const cosine = Math.cos(view.azimuthDegrees * RADIANS);
   const [x, y, z] = view.target;
   const target = [
-    clamp(x + view.distance * (-sine * right - cosine * up), -30, 30),
-    clamp(y + view.distance * (cosine * right - sine * up), -30, 30),
+    clamp(x + view.distance * (-sine * right - cosine * up), -FARTHEST, FARTHEST),
+    clamp(y + view.distance * (cosine * right - sine * up), -FARTHEST, FARTHEST),
     z,
   ];
   return { ...view, target };
@@ -157,9 +157,10 @@ const ROBOT_ELEVATION_DEGREES = 13;
  * Returns the point of a robot on which the camera is centred.
  *
  * @param {ArrayLike<number>} torso pose of its torso
+ * @param {number} [height] height of the robot in metres; by default that of a NAO
  */
-export function robotCentre(torso) {
-  return [torso[0], torso[1], ROBOT_HEIGHT / 2];
+export function robotCentre(torso, height = ROBOT_HEIGHT) {
+  return [torso[0], torso[1], height / 2];
 }
 
 /**
@@ -169,30 +170,33 @@ export function robotCentre(torso) {
  * @param {readonly number[]} centre see {@link robotCentre}
  * @param {number} headingDegrees
  * @param {FreeView} free
+ * @param {number} [height] height of the robot in metres; by default that of a NAO
  * @returns {ViewPoint}
  */
-export function robotView(centre, headingDegrees, { across, up }) {
+export function robotView(centre, headingDegrees, { across, up }, height = ROBOT_HEIGHT) {
   const view = {
     target: [...centre],
     azimuthDegrees: headingDegrees - FRONT_RIGHT_DEGREES,
     elevationDegrees: ROBOT_ELEVATION_DEGREES,
     distance: FARTHEST,
   };
-  return fitted(view, robotOutline(view), { across, up: ROBOT_SHARE * up });
+  return fitted(view, robotOutline(view, height), { across, up: ROBOT_SHARE * up });
 }
 
 /**
  * Returns the outermost points of a standing robot as seen from the camera.
  *
  * @param {ViewPoint} view
+ * @param {number} [height] height of the robot in metres; by default that of a NAO
  * @returns {number[][]}
  */
-export function robotOutline({ target: [x, y, z], azimuthDegrees }) {
+export function robotOutline({ target: [x, y, z], azimuthDegrees }, height = ROBOT_HEIGHT) {
   const right = (azimuthDegrees + 90) * RADIANS;
-  const [dx, dy] = [ROBOT_REACH * Math.cos(right), ROBOT_REACH * Math.sin(right)];
+  const reach = (ROBOT_REACH * height) / ROBOT_HEIGHT;
+  const [dx, dy] = [reach * Math.cos(right), reach * Math.sin(right)];
   return [
-    [x, y, z - ROBOT_HEIGHT / 2],
-    [x, y, z + ROBOT_HEIGHT / 2],
+    [x, y, z - height / 2],
+    [x, y, z + height / 2],
     [x - dx, y - dy, z],
     [x + dx, y + dy, z],
   ];

@@ -1,8 +1,11 @@
 /** Display names of joints and limbs. Pure. */
 
+/** Letters that sort the joints of MuJoCo models, such as “AAHead_yaw”. */
+const SORTING = /^A+(?=[A-Z][a-z])/;
+
 /** @param {string} name name such as LEFT_HIP_YAW_PITCH @returns {string} text such as “left hip yaw-pitch” */
 export function jointName(name) {
-  return name.toLowerCase().replace('yaw_pitch', 'yaw-pitch').replaceAll('_', ' ');
+  return name.replace(SORTING, '').toLowerCase().replace('yaw_pitch', 'yaw-pitch').replaceAll('_', ' ');
 }
 
 /** @param {string} name @returns {string} the name without the side, such as “Hip yaw-pitch” */
@@ -34,11 +37,11 @@ export function linkName(name) {
 
 /** Groups in which the joints are listed. @type {Array<{title: string, test: RegExp}>} */
 export const JOINT_GROUPS = [
-  { title: 'Head', test: /^NECK/ },
-  { title: 'Left arm', test: /^LEFT_(SHOULDER|ARM)/ },
-  { title: 'Right arm', test: /^RIGHT_(SHOULDER|ARM)/ },
-  { title: 'Left leg', test: /^LEFT_(HIP|KNEE|FOOT)/ },
-  { title: 'Right leg', test: /^RIGHT_(HIP|KNEE|FOOT)/ },
+  { title: 'Head', test: /^(NECK|A*HEAD)/i },
+  { title: 'Left arm', test: /^A*LEFT_(SHOULDER|ARM|ELBOW)/i },
+  { title: 'Right arm', test: /^A*RIGHT_(SHOULDER|ARM|ELBOW)/i },
+  { title: 'Left leg', test: /^LEFT_(HIP|KNEE|FOOT|ANKLE)/i },
+  { title: 'Right leg', test: /^RIGHT_(HIP|KNEE|FOOT|ANKLE)/i },
 ];
 
 /**

@@ -17,6 +17,7 @@
  * @property {Array<[x: number, y: number]>} ball its path
  * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways paths of the robots
  * @property {Array<{robots: Player[], cycles: number}>} rosters
+ * @property {Record<string, import('../kinematics.js').RobotModel>} [models] models that the recording defines
  *
  * @typedef {{reader: RecordingReader, bytes: number, loading: Promise<void> | undefined}} Piece
  */
@@ -40,6 +41,8 @@ export class RecordedRun {
   #pieces = new Map();
   /** @type {Map<string, Player[]>} */
   #rosters = new Map();
+  /** @type {Record<string, import('../kinematics.js').RobotModel>} */
+  #models = {};
 
   /**
    * @param {(type: string) => number} hingesOf number of hinges of a robot type
@@ -144,7 +147,7 @@ export class RecordedRun {
 
   /** Loads a piece up to a moment, unless it is already loaded. @param {number} number @param {number} index @returns {Promise<void>} */
   #want(number, index) {
-    const part = { rosters: this.#rosters, isBegun: number > 0 };
+    const part = { rosters: this.#rosters, models: this.#models, isBegun: number > 0 };
     const piece = this.#pieces.get(number) ?? {
       reader: new RecordingReader(this.hingesOf, part),
       bytes: 0,

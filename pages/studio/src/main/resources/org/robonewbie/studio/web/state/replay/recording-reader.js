@@ -10,6 +10,7 @@
  * @property {string} right
  *
  * @typedef {import('../../live/state-frame.js').Player} Player
+ * @typedef {import('../kinematics.js').RobotModel} RobotModel
  *
  * @typedef {object} Moment one cycle
  * @property {number} cycle
@@ -18,6 +19,7 @@
  * @property {Player[]} robots
  * @property {CommandedSpeeds} speeds degrees per second by hinge, for each commanded robot
  * @property {import('./recorded-things.js').RecordedThing[]} [things] other objects on the pitch
+ * @property {Record<string, RobotModel>} [models] the models that the recording defines
  * @property {Int32Array} numbers the ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's units
  *
  * @typedef {object} RecordedEvent
@@ -30,17 +32,18 @@ import { CommandedSpeeds } from './commanded-speeds.js';
 import { readThings, withMoved } from './recorded-things.js';
 import { EndOfBytes, KIND, MAGIC, POSE_NUMBERS, SIDES, Source, VERSION } from './recording-source.js';
 
-const MAX_HINGES = 24;
 const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 
 export class RecordingReader {
   /**
    * @param {(type: string) => number} hingesOf number of hinges of a robot type
-   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading part of a recording: the rosters known from other parts;
-   *     the first records of the part restore the state
+   * @param {{rosters: Map<string, Player[]>, models: Record<string, RobotModel>, isBegun: boolean}} [part] for reading part of a recording:
+   *     the rosters and models known from other parts; the first records of the part restore the state
    */
-  constructor(hingesOf, part = { rosters: new Map(), isBegun: false }) {
-    this.hingesOf = hingesOf;
+  constructor(hingesOf, part = { rosters: new Map(), models: {}, isBegun: false }) {
+    this.models = part.models;
+    /** @param {string} type */
+    this.hingesOf = (type) => this.models[type]?.hinges.length ?? hingesOf(type);
     this.rosters = part.rosters;
     /** @type {Moment[]} */
     this.moments = [];
@@ -122,6 +125,8 @@ export class RecordingReader {
       const playMode = content.text();
       const [half, scoreLeft, scoreRight] = [content.unsigned(), content.unsigned(), content.unsigned()];
       this.game = { playMode, half, scoreLeft, scoreRight, left: content.text(), right: content.text() };
+    } else if (kind === KIND.MODEL) {
+      this.#model(content);
     } else if (kind === KIND.ROBOTS) {
       this.robots = this.#roster(content);
     } else if (kind === KIND.COMMANDS) {
@@ -139,6 +144,13 @@ export class RecordingReader {
     }
   }
 
+  /** Reads the model of a robot type, unless another part has defined it. @param {Source} content */
+  #model(content) {
+    const type = typeName(content.unsigned());
+    content.unsigned();
+    this.models[type] ??= JSON.parse(content.text());
+  }
+
   /** Reads a roster; equal rosters share one list in all parts of a recording. @param {Source} content */
   #roster(content) {
     const key = content.content.join();
@@ -152,11 +164,10 @@ export class RecordingReader {
     this.ticks = content.signed();
     readTrack(this.ball, content);
     while (content.at < content.content.length) {
-      const track = new Int32Array(POSE_NUMBERS + MAX_HINGES);
       const id = content.unsigned();
-      const known = track.subarray(0, content.unsigned());
-      readTrack(known, content);
-      this.tracks.set(id, known);
+      const track = new Int32Array(content.unsigned());
+      readTrack(track, content);
+      this.tracks.set(id, track);
     }
   }
 
@@ -190,7 +201,8 @@ export class RecordingReader {
     numbers.set(this.ball);
     let at = POSE_NUMBERS;
     this.robots.forEach(({ id }, i) => {
-      const track = this.tracks.get(id) ?? new Int32Array(sizes[i]);
+      const known = this.tracks.get(id);
+      const track = known?.length === sizes[i] ? known : new Int32Array(sizes[i]);
       this.tracks.set(id, track);
       readTrack(track, content);
       numbers.set(track, at);
@@ -204,6 +216,7 @@ export class RecordingReader {
       robots: this.robots,
       speeds: this.speeds,
       things: this.things,
+      models: this.models,
       numbers,
     });
   }
@@ -212,10 +225,13 @@ export class RecordingReader {
 /** @param {Source} content @returns {Player} */
 function readRobot(content) {
   const id = content.unsigned();
-  const type = `TYPE_${content.unsigned()}`;
+  const type = typeName(content.unsigned());
   const side = SIDES[content.unsigned()];
   return { id, type, side, number: content.unsigned(), team: content.text() };
 }
+
+/** @param {number} index */
+const typeName = (index) => `TYPE_${index}`;
 
 /** @param {Int32Array} track @param {Source} content */
 function readTrack(track, content) {

@@ -14,6 +14,7 @@ export const KIND = {
   STATE: 7,
   THINGS: 8,
   MOVED_THING: 9,
+  MODEL: 10,
 };
 export const POSE_NUMBERS = 7;
 export const STEPS_PER_METRE = 10_000;

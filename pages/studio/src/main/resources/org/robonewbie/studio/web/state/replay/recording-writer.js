@@ -10,6 +10,9 @@ import { KIND, MAGIC, POSE_NUMBERS, SIDES, VERSION } from './recording-source.js
 
 const CYCLES_PER_SECOND = 50;
 
+/** @param {string} type name such as TYPE_0 */
+const typeNumber = (type) => Number(type.split('_')[1]);
+
 export class RecordingWriter {
   #bytes = new Uint8Array(1 << 16);
   #length = 0;
@@ -20,7 +23,10 @@ export class RecordingWriter {
 
   /** @param {Record<string, string>} header @param {(type: string) => number} hingesOf */
   constructor(header, hingesOf) {
-    this.hingesOf = hingesOf;
+    /** Types whose models have been written. @type {Record<string, import('../kinematics.js').RobotModel>} */
+    this.models = {};
+    /** @param {string} type */
+    this.hingesOf = (type) => this.models[type]?.hinges.length ?? hingesOf(type);
     this.#raw(new TextEncoder().encode(MAGIC));
     this.#unsigned(VERSION);
     const lines = Object.entries(header).map((entry) => entry.join('='));
@@ -40,6 +46,7 @@ export class RecordingWriter {
         [game.left, game.right].forEach((each) => this.#text(each));
       });
     }
+    this.#defineModels(moment);
     if (robots !== this.#last?.robots) {
       this.#record(KIND.ROBOTS, () => this.#roster(robots));
     }
@@ -53,11 +60,24 @@ export class RecordingWriter {
     return this.#bytes.slice(0, this.#length);
   }
 
+  /** @param {Moment} moment */
+  #defineModels({ models = {} }) {
+    for (const [type, model] of Object.entries(models)) {
+      if (!(type in this.models)) {
+        this.models[type] = model;
+        this.#record(KIND.MODEL, () => {
+          [typeNumber(type), model.hinges.length].forEach((each) => this.#unsigned(each));
+          this.#text(JSON.stringify(model));
+        });
+      }
+    }
+  }
+
   /** @param {Moment['robots']} robots */
   #roster(robots) {
     this.#unsigned(robots.length);
     for (const { id, type, side, number, team } of robots) {
-      [id, Number(type.slice(-1)), SIDES.indexOf(side), number].forEach((each) => this.#unsigned(each));
+      [id, typeNumber(type), SIDES.indexOf(side), number].forEach((each) => this.#unsigned(each));
       this.#text(team);
     }
   }
@@ -94,7 +114,8 @@ export class RecordingWriter {
   /** @param {number} id @param {Int32Array} numbers */
   #track(id, numbers) {
     const last = this.#tracks.get(id);
-    numbers.forEach((number, i) => this.#signed(number - (last?.[i] ?? 0)));
+    const known = last?.length === numbers.length ? last : undefined;
+    numbers.forEach((number, i) => this.#signed(number - (known?.[i] ?? 0)));
     this.#tracks.set(id, numbers);
   }
 

@@ -15,6 +15,7 @@
  * @property {[number, number] | undefined} loop first and last moment of the repeated section
  */
 
+import { BALL_RADIUS } from '../ball-radius.js';
 import { POSE_NUMBERS, STEPS_PER_METRE } from './recording-source.js';
 
 const STEPS_PER_TURN = 20_000;
@@ -106,8 +107,14 @@ export function sceneOf(moment, header, models, revision) {
     teams: { left: moment.game.left, right: moment.game.right },
     robots: moment.robots,
     things: (moment.things ?? []).map(({ thing }) => thing),
-    models,
+    models: moment.models ? { ...models, ...moment.models } : models,
     playModes: [moment.game.playMode],
+    details: {
+      ballRadius: number('BallRadius', BALL_RADIUS),
+      goalAreaLength: number('GoalAreaLength', 0),
+      goalAreaWidth: number('GoalAreaWidth', 0),
+      penaltySpotDistance: number('PenaltySpotDistance', 0),
+    },
   };
 }
 
