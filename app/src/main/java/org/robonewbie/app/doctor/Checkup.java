@@ -34,6 +34,7 @@ public final class Checkup {
         checkup.checks.add(() -> PortCheck.of("Agent port", 3100));
         checkup.checks.add(() -> PortCheck.of("Monitor port", 3200));
         checkup.checks.add(SimulatorCheck::oneSecond);
+        checkup.checks.add(LeagueCheck::server);
         if (!headless) {
             checkup.checks.add(StudioCheck::page);
             checkup.checks.add(BrowserCheck::command);

@@ -246,9 +246,14 @@ public final class Options {
         return text(Option.TYPE).map(Integer::valueOf).orElse(0);
     }
 
-    /** {@return the robot of today's league to play with; empty for a NAO} */
+    /** {@return the robot to play with: {@code NAO}, or {@code T1} or {@code K1}, which play on RCSSServerMJ} */
+    public String robot() {
+        return text(Option.ROBOT).orElse("NAO");
+    }
+
+    /** Returns the model of the robot if it plays on RCSSServerMJ; empty for a NAO. */
     Optional<RobotModel> leagueRobot() {
-        return switch (text(Option.ROBOT).orElse("NAO")) {
+        return switch (robot()) {
             case "T1" -> Optional.of(BoosterT1.MODEL);
             case "K1" -> Optional.of(BoosterK1.MODEL);
             default -> Optional.empty();

@@ -37,7 +37,8 @@ final class SimulatorChoice {
     static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
         int serverPort = options.leagueRobot().isPresent() ? LEAGUE_PORT : DEFAULT_PORT;
-        int defaultPort = kind == WantedSimulator.Kind.OWN ? 0 : serverPort;
+        boolean anyPort = kind == WantedSimulator.Kind.OWN && serverPort == DEFAULT_PORT;
+        int defaultPort = anyPort ? 0 : serverPort;
         int port = options.port().orElse(defaultPort);
         String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
         return new WantedSimulator(kind, host, port, request(options, port, robots, agent));
@@ -45,7 +46,7 @@ final class SimulatorChoice {
 
     private static WantedSimulator.Kind kind(Options options) {
         if (options.leagueRobot().isPresent()) {
-            return WantedSimulator.Kind.SERVER;
+            return options.host().isPresent() ? WantedSimulator.Kind.SERVER : WantedSimulator.Kind.OWN;
         }
         int own = ONLY_OWN_SIMULATOR.stream().mapToInt(options::strength).max().orElse(-1);
         int server = options.strength(Option.HOST);
@@ -57,6 +58,7 @@ final class SimulatorChoice {
 
     private static SimulatorRequest request(Options options, int port, int robots, String agent) {
         return new SimulatorRequest(
+                options.robot(),
                 port,
                 options.seed(),
                 options.isFast(),

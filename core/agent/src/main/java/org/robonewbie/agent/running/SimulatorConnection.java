@@ -107,8 +107,11 @@ public final class SimulatorConnection implements AutoCloseable {
     }
 
     private static SimulatorConnection start(WantedSimulator wanted) throws IOException {
-        Optional<SimulatorProvider> provider =
-                ServiceLoader.load(SimulatorProvider.class).findFirst();
+        String robot = wanted.own().robot();
+        Optional<SimulatorProvider> provider = ServiceLoader.load(SimulatorProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(each -> each.has(robot))
+                .findFirst();
         if (provider.isEmpty()) {
             throw new IOException("No simulator answers at " + wanted.host() + ":" + wanted.port()
                     + ", and this program has no embedded one: start one with \"robonewbie simulator\", or add"
@@ -121,9 +124,9 @@ public final class SimulatorConnection implements AutoCloseable {
                     .map(address -> ". Watch it at " + address)
                     .orElse("");
             return new SimulatorConnection(
-                    false,
+                    simulator.isServer(),
                     "the simulator",
-                    "Started a simulator on agent port " + simulator.agentPort() + studio,
+                    simulator.description() + studio,
                     simulator.telemetry(),
                     simulator::connect,
                     simulator::close);

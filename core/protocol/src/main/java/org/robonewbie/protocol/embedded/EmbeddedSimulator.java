@@ -1,18 +1,33 @@
 package org.robonewbie.protocol.embedded;
 
+import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** A simulator that runs in this process, in lock-step with its agents. */
+/** A simulator that this program has started or found. */
 public interface EmbeddedSimulator extends AutoCloseable {
 
     /**
-     * Connects a new agent without a socket.
+     * Connects a new agent.
      *
      * @return the agent's end of the connection
+     * @throws java.io.IOException if a simulator in another process does not respond
      */
-    AgentLink connect();
+    AgentLink connect() throws IOException;
+
+    /**
+     * {@return whether it is a server in a process of its own, which never ends the run by itself and should be joined by one robot at a
+     * time}
+     */
+    default boolean isServer() {
+        return false;
+    }
+
+    /** {@return a sentence about the simulator without its full stop, for users} */
+    default String description() {
+        return "Started a simulator on agent port " + agentPort();
+    }
 
     /** {@return the TCP port on 127.0.0.1 for agents in other processes} */
     int agentPort();

@@ -9,6 +9,16 @@ import java.io.IOException;
 public interface SimulatorProvider {
 
     /**
+     * Returns whether the simulators of this provider have a robot.
+     *
+     * @param robot name of the robot, such as {@code NAO}
+     * @return whether {@link #start} can be called for it
+     */
+    default boolean has(String robot) {
+        return robot.equals("NAO");
+    }
+
+    /**
      * Starts a simulator. Its clock starts once the required number of agents have connected.
      *
      * @param request the configuration

@@ -7,6 +7,7 @@ import java.util.OptionalLong;
 /**
  * Configuration of an embedded simulator.
  *
+ * @param robot name of the robot that the program plays with, such as {@code NAO}
  * @param agentPort TCP port for agents in other processes; 0 for any free port
  * @param seed random seed; empty to choose one at random
  * @param fast whether to run as fast as possible instead of in real time
@@ -22,6 +23,7 @@ import java.util.OptionalLong;
  * @param agent name of the requesting program, for the recording's metadata
  */
 public record SimulatorRequest(
+        String robot,
         int agentPort,
         OptionalLong seed,
         boolean fast,
