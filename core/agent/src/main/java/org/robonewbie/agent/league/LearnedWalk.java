@@ -1,6 +1,5 @@
 package org.robonewbie.agent.league;
 
-import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.policy.Policy;
@@ -13,13 +12,16 @@ import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
 /**
- * Walk of a league robot by a learned policy: velocity and sensor readings in, joint targets out. The policy file contains all that the
- * training assumed: stance, gains, units of inputs and outputs, and the rhythm of the steps. It is learned by {@code python -m
- * robonewbie.t1 train}, whose module {@code robot.py} describes the inputs.
+ * Walk of a league robot: velocity and sensor readings in, joint targets out. The legs step in a fixed rhythm, which alone would make the
+ * robot fall, and a learned policy corrects it.
+ *
+ * <p>The policy is learned by {@code python -m robonewbie.t1 train}. Its file contains what the training assumed: stance, gains, rhythm
+ * and units; the documentation of the Python package {@code robonewbie.t1} describes the rest, and this class must compute the same.
  */
 final class LearnedWalk {
 
-    private static final double OBSERVATION_LIMIT = 5;
+    private static final int JOINTS_PER_LEG = 6;
+    private static final int ACTIONS_TO_FULL_SPEED = 12;
     private static final double GRAVITY_TRUST = Cycle.SECONDS / 0.8;
     private static final double MIN_ACCELERATION = 5;
     private static final double MAX_ACCELERATION = 20;
@@ -30,14 +32,18 @@ final class LearnedWalk {
     private final double[] stance;
     private final double[] stiffness;
     private final double[] damping;
-    private final double[] limits;
     private final double[] rangeDegrees;
-    private final int cyclesPerStride;
+    private final double liftDegrees;
+    private final double[] swingDegrees;
+    private final int actionsPerStride;
+    private final WalkVelocity most;
+    private final double mostBackward;
     private Vector3 up = new Vector3(0, 0, 1);
     private double[] action;
     private WalkVelocity command = WalkVelocity.ZERO;
     private int cycle;
-    private int strideCycle;
+    private int phase;
+    private double amplitude;
 
     /**
      * Creates a walk.
@@ -51,15 +57,19 @@ final class LearnedWalk {
         this.stance = policy.numbers("stance-degrees", joints);
         this.stiffness = policy.numbers("stiffness", joints);
         this.damping = policy.numbers("damping", joints);
-        this.limits = policy.numbers("most-forward-left-turn-backward", 4);
-        this.cyclesPerStride = (int) policy.numbers("actions-per-stride", 1)[0] * policy.cyclesPerAction();
+        double[] limits = policy.numbers("most-forward-left-turn-backward", 4);
+        this.most = new WalkVelocity(limits[0], limits[1], limits[2]);
+        this.mostBackward = limits[3];
+        this.liftDegrees = policy.numbers("lift-degrees", 1)[0];
+        this.swingDegrees = policy.numbers("swing-degrees-forward-left-turn", 3);
+        this.actionsPerStride = (int) policy.numbers("actions-per-stride", 1)[0];
         this.legs = policy.outputs().stream().map(this::jointOf).toList();
         this.rangeDegrees =
                 policy.outputs().stream().mapToDouble(LearnedWalk::factor).toArray();
         this.action = new double[legs.size()];
-        if (policy.inputs().size() != 10 + 3 * legs.size()) {
+        if (legs.size() != 2 * JOINTS_PER_LEG || policy.inputs().size() != 10 + 3 * legs.size()) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has "
-                    + policy.inputs().size() + " inputs, but a walk needs " + (10 + 3 * legs.size()) + ".");
+                    + policy.inputs().size() + " inputs and " + legs.size() + " outputs, but a walk needs 46 and 12.");
         }
     }
 
@@ -107,7 +117,8 @@ final class LearnedWalk {
         action = new double[legs.size()];
         command = WalkVelocity.ZERO;
         cycle = 0;
-        strideCycle = 0;
+        phase = 0;
+        amplitude = 0;
     }
 
     /**
@@ -120,17 +131,49 @@ final class LearnedWalk {
      */
     double[] targets(WalkVelocity wanted, Vector3 gyro, double[] degrees, double[] degreesPerSecond) {
         if (cycle % policy.cyclesPerAction() == 0) {
-            boolean continues = !wanted.isZero() && !command.isZero();
-            strideCycle = continues ? (strideCycle + policy.cyclesPerAction()) % cyclesPerStride : 0;
-            command = wanted.within(new WalkVelocity(limits[0], limits[1], limits[2]), limits[3]);
+            command = command.towards(
+                    wanted.within(most, mostBackward),
+                    new WalkVelocity(
+                            most.forward() / ACTIONS_TO_FULL_SPEED,
+                            most.left() / ACTIONS_TO_FULL_SPEED,
+                            most.turn() / ACTIONS_TO_FULL_SPEED));
+            phase = amplitude > 0 ? (phase + 1) % actionsPerStride : 0;
+            double change = (command.isZero() ? -1.0 : 1.0) / actionsPerStride;
+            amplitude = Math.max(0, Math.min(1, amplitude + change));
             action = policy.network().apply(observation(gyro, degrees, degreesPerSecond));
         }
         cycle++;
         double[] targets = stance();
         for (int i = 0; i < legs.size(); i++) {
-            targets[legs.get(i).index()] += rangeDegrees[i] * Math.max(-1, Math.min(1, action[i]));
+            targets[legs.get(i).index()] += rhythm(i) + rangeDegrees[i] * Math.max(-1, Math.min(1, action[i]));
         }
         return targets;
+    }
+
+    private double sine() {
+        return amplitude * PortableMath.sin(2 * Math.PI * phase / actionsPerStride);
+    }
+
+    private double cosine() {
+        return amplitude * PortableMath.cos(2 * Math.PI * phase / actionsPerStride);
+    }
+
+    /** Returns how far the rhythm moves a joint from the stance, in degrees. The left foot swings while the sine is positive. */
+    private double rhythm(int leg) {
+        double side = leg < JOINTS_PER_LEG ? 1 : -1;
+        double lift = liftDegrees * Math.max(0, side * sine());
+        double swing = -side * cosine();
+        double forward = swing * swingDegrees[0] * command.forward() / most.forward();
+        double left = swing * swingDegrees[1] * command.left() / most.left();
+        double turn = swing * swingDegrees[2] * command.turn() / most.turn();
+        return switch (leg % JOINTS_PER_LEG) {
+            case 0 -> -lift - forward; // hip pitch
+            case 1 -> left; // hip roll
+            case 2 -> turn; // hip yaw
+            case 3 -> 2 * lift; // knee
+            case 4 -> 0.7 * forward - lift; // foot pitch
+            default -> -left; // foot roll
+        };
     }
 
     private double[] observation(Vector3 gyro, double[] degrees, double[] degreesPerSecond) {
@@ -148,15 +191,11 @@ final class LearnedWalk {
         for (double last : action) {
             inputs[next++] = last;
         }
-        double phase = 2 * Math.PI * strideCycle / cyclesPerStride;
-        double moving = command.isZero() ? 0 : 1;
-        inputs[next++] = command.forward() / limits[0];
-        inputs[next++] = command.left() / limits[1];
-        inputs[next++] = command.turn() / limits[2];
-        inputs[next++] = moving * PortableMath.sin(phase);
-        inputs[next] = moving * PortableMath.cos(phase);
-        return Arrays.stream(inputs)
-                .map(value -> Math.max(-OBSERVATION_LIMIT, Math.min(OBSERVATION_LIMIT, value)))
-                .toArray();
+        inputs[next++] = command.forward() / most.forward();
+        inputs[next++] = command.left() / most.left();
+        inputs[next++] = command.turn() / most.turn();
+        inputs[next++] = sine();
+        inputs[next] = cosine();
+        return inputs;
     }
 }
