@@ -133,6 +133,17 @@ public final class Robot {
     }
 
     /**
+     * Sets the target speed of the motor of a joint of this robot's model.
+     *
+     * @param joint the joint
+     * @param radiansPerSecond target speed
+     * @see #setMotorSpeed(int, double)
+     */
+    public void setMotorSpeed(RobotJoint joint, double radiansPerSecond) {
+        setMotorSpeed(joint.index(), radiansPerSecond);
+    }
+
+    /**
      * Sets the target speed of the motor of a NAO's joint.
      *
      * @param joint the joint
@@ -151,6 +162,16 @@ public final class Robot {
      */
     public double jointDegrees(int hingeIndex) {
         return PortableMath.toDegrees(hinges.get(hingeIndex).angleRadians());
+    }
+
+    /**
+     * Returns the angle of a joint of this robot's model.
+     *
+     * @param joint the joint
+     * @return degrees; can slightly exceed the stops
+     */
+    public double jointDegrees(RobotJoint joint) {
+        return jointDegrees(joint.index());
     }
 
     /**
