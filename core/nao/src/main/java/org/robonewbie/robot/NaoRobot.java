@@ -3,6 +3,7 @@ package org.robonewbie.robot;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
@@ -31,6 +32,17 @@ public final class NaoRobot {
      */
     public static RobotModel of(RobotType type) {
         return MODELS.get(type.ordinal());
+    }
+
+    /**
+     * Returns the robot type of a model.
+     *
+     * @param model the model of any robot
+     * @return the robot type; empty if the model is none of the NAOs'
+     */
+    public static Optional<RobotType> typeOf(RobotModel model) {
+        int index = MODELS.indexOf(model);
+        return index < 0 ? Optional.empty() : Optional.of(RobotType.values()[index]);
     }
 
     private static RobotModel model(RobotType type) {
