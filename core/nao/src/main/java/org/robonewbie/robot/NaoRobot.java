@@ -36,28 +36,22 @@ public final class NaoRobot {
     /**
      * Returns whether a model is one of the five NAOs.
      *
-     * @param model any model
+     * @param model the model of any robot
      * @return whether {@link #of} returns it for one of the types
      */
     public static boolean isNao(RobotModel model) {
-        for (int i = 0; i < MODELS.size(); i++) {
-            if (MODELS.get(i) == model) {
-                return true;
-            }
-        }
-        return false;
+        return MODELS.contains(model);
     }
 
     /**
      * Returns the robot type of a model.
      *
-     * @param model any model
-     * @return the type; empty if the model is none of the five NAOs
+     * @param model the model of any robot
+     * @return the robot type; empty if the model is none of the NAOs'
      */
     public static Optional<RobotType> typeOf(RobotModel model) {
-        return Arrays.stream(RobotType.values())
-                .filter(type -> of(type) == model)
-                .findFirst();
+        int index = MODELS.indexOf(model);
+        return index < 0 ? Optional.empty() : Optional.of(RobotType.values()[index]);
     }
 
     private static RobotModel model(RobotType type) {

@@ -14,6 +14,21 @@ import org.robonewbie.nao.kinematics.Pose;
  */
 public sealed interface RobotState {
 
+    /**
+     * Returns a state.
+     *
+     * @param model the model of the robot
+     * @param torso pose of the torso's frame in the world frame
+     * @param degrees angle of each joint in degrees, in the order of {@link RobotModel#joints()}
+     * @return an {@link OfNao} for the model of a NAO, otherwise an {@link OfModel}
+     * @throws IllegalArgumentException if the number of angles is not the number of joints
+     */
+    static RobotState of(RobotModel model, Pose torso, double[] degrees) {
+        return NaoRobot.typeOf(model)
+                .<RobotState>map(type -> new OfNao(BodyState.ofHinges(type, torso, degrees)))
+                .orElseGet(() -> new OfModel(model, torso, degrees));
+    }
+
     /** {@return the model of the robot} */
     RobotModel model();
 
