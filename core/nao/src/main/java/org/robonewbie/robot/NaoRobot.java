@@ -3,11 +3,11 @@ package org.robonewbie.robot;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.MassDistribution;
@@ -31,6 +31,27 @@ public final class NaoRobot {
      */
     public static RobotModel of(RobotType type) {
         return MODELS.get(type.ordinal());
+    }
+
+    /**
+     * Returns whether a model is one of the five NAOs.
+     *
+     * @param model the model of any robot
+     * @return whether {@link #of} returns it for one of the types
+     */
+    public static boolean isNao(RobotModel model) {
+        return MODELS.contains(model);
+    }
+
+    /**
+     * Returns the robot type of a model.
+     *
+     * @param model the model of any robot
+     * @return the robot type; empty if the model is none of the NAOs'
+     */
+    public static Optional<RobotType> typeOf(RobotModel model) {
+        int index = MODELS.indexOf(model);
+        return index < 0 ? Optional.empty() : Optional.of(RobotType.values()[index]);
     }
 
     private static RobotModel model(RobotType type) {
@@ -73,7 +94,7 @@ public final class NaoRobot {
                 SimSparkFrame.toBody(hinge.axis()),
                 hinge.minDegrees(),
                 hinge.maxDegrees(),
-                new Motor.Speed(PortableMath.toDegrees(hinge.maxRadiansPerSecond())),
+                new Motor.Speed(hinge.maxRadiansPerSecond()),
                 0);
     }
 

@@ -70,7 +70,7 @@ final class RsmpFigure {
         for (RobotJoint joint : model.joints()) {
             degrees[joint.index()] = degrees(joint, turn(joint));
         }
-        return new RobotState.OfModel(model, pose, degrees);
+        return RobotState.of(model, pose, degrees);
     }
 
     /**

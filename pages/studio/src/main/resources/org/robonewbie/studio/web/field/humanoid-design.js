@@ -4,7 +4,7 @@
  */
 import * as THREE from 'three';
 import { figureOf } from '../state/figure.js';
-import { barrel, disc, ellipsoid, loft } from './loft.js';
+import { barrel, ellipsoid, loft } from './loft.js';
 import { assembled, piece } from './parts.js';
 
 /**
@@ -15,6 +15,9 @@ import { assembled, piece } from './parts.js';
  * @typedef {import('./loft.js').Section} Section
  * @typedef {import('./loft.js').LoftOptions} LoftOptions
  */
+
+/** Size of the drawn head relative to the shape that collides. */
+const ROUNDER = 1.12;
 
 const NEEDED = ['he1', 'he2', ...['l', 'r'].flatMap((side) => [1, 2, 3, 4].map((i) => `${side}ae${i}`))].concat(
   ['l', 'r'].flatMap((side) => [1, 2, 3, 4, 5, 6].map((i) => `${side}le${i}`)),
@@ -32,7 +35,7 @@ export function humanoidPieces(model, facets) {
   const pieces = model.links.map(() => []);
   const put = (/** @type {string} */ motor, /** @type {Piece[]} */ parts) => pieces[body.link(motor)].push(...parts);
   pieces[0].push(...torso(body, facets));
-  put('he1', [piece('joint', barrel(0.45 * body.headRadius, 1.1 * body.headRadius, facets.small))]);
+  put('he1', neck(body, facets));
   put('he2', head(body, facets));
   if (body.has('te1')) {
     put('te1', pelvis(body, facets, 0));
@@ -64,7 +67,7 @@ class Body {
     this.model = model;
     this.size = figureOf(model).height;
     const headShape = this.shapeOf('he2');
-    this.headRadius = headShape ? headShape.size[2] / 2 : 0.07 * this.size;
+    this.headRadius = ROUNDER * (headShape ? headShape.size[2] / 2 : 0.07 * this.size);
     this.headCentre = headShape?.position ?? [0, 0, this.headRadius];
     this.armRadius = this.#radius('lae4', 0.026);
     this.legRadius = this.#radius('lle4', 0.042);
@@ -113,12 +116,12 @@ class Body {
 function torsoSections(body) {
   const wide = Math.abs(body.shoulder[0]);
   const low = body.has('te1') ? body.position('te1')[2] : body.hip[2];
-  const high = body.neck[2] - low;
+  const high = body.neck[2] + 0.25 * body.headRadius - low;
   return [
     [0, 0, 0],
     [0.01, 0.44, 0.55],
     [0.1, 0.6, 0.74],
-    [0.3, 0.66, 0.84],
+    [0.3, 0.72, 0.86],
     [0.56, 0.9, 1.02],
     [0.78, 0.98, 1.02],
     [0.93, 0.82, 0.82],
@@ -158,15 +161,23 @@ function pelvis({ hip, depth, size }, { small, hasDetails }, height) {
   ];
 }
 
+/** Reaches from the shoulders into the head, however long the neck is. @param {Body} body @param {Facets} facets @returns {Piece[]} */
+function neck(body, { small }) {
+  const r = body.headRadius;
+  const [low, high] = [-0.5 * r, body.step('he1', 'he2')[2] + body.headCentre[2] - 0.6 * r];
+  const middle = (low + high) / 2;
+  return [piece('joint', barrel(0.45 * r, high - low, small), [0, 0, middle])];
+}
+
 /** @param {Body} body @param {Facets} facets @returns {Piece[]} */
-function head({ headRadius: r, headCentre: [x, y, z] }, { body, small, disc: round, hasDetails }) {
-  const skull = headSections(r);
+function head({ headRadius: r, headCentre: [x, y, z] }, { body, small, hasDetails }) {
+  const skull = headSections(r, Math.max(r, z));
   const at = /** @type {[number, number, number]} */ ([x, y, z]);
   const visor = { ...body, inflate: 0.03 * r, rings: hasDetails ? 6 : 2 };
   const eye = (/** @type {number} */ side) =>
-    disc(0, 0.15 * r, round)
-      .rotateZ(-side * 0.36)
-      .translate(x + side * 0.36 * r, y + 1.06 * r, z + 0.1 * r);
+    ellipsoid(0.17 * r, 0.1 * r, 0.17 * r, { ...small, rings: Math.max(4, small.rings ?? 0) })
+      .rotateZ(-side * 0.3)
+      .translate(x + side * 0.38 * r, y + 1.03 * r, z + 0.25 * r);
   const ear = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
     piece('shell', loft(skull, { ...body, square: 2.3 }), at),
@@ -177,12 +188,13 @@ function head({ headRadius: r, headCentre: [x, y, z] }, { body, small, disc: rou
   ];
 }
 
-/** @param {number} r @returns {Section[]} */
-function headSections(r) {
+/** @param {number} r @param {number} chin depth of the chin below the centre @returns {Section[]} */
+function headSections(r, chin) {
+  const low = chin / r;
   return [
-    [-0.95, 0, 0, 0],
-    [-0.92, 0.45, 0.45, 0],
-    [-0.62, 0.8, 0.82, 0.06],
+    [-0.98 * low, 0, 0, 0],
+    [-0.95 * low, 0.45, 0.45, 0],
+    [-0.62 * low, 0.8, 0.82, 0.06],
     [-0.1, 0.97, 1.02, 0.06],
     [0.42, 0.97, 1.02, 0],
     [0.8, 0.76, 0.8, -0.05],
@@ -219,7 +231,7 @@ function putArm(body, side, facets, put) {
       bone(
         upper,
         [1, 1.28, 1.2, 0.9].map((each) => each * r),
-        { ...small, inflate: 0.003, along: [0.5, 0.68] },
+        { ...small, inflate: 0.004, along: [0.5, 0.68] },
       ),
     ),
   ]);
@@ -268,7 +280,7 @@ function putLeg(body, side, facets, put) {
       bone(
         thigh,
         [0.95, 1.22, 1.12, 0.85].map((each) => each * r),
-        { ...small, inflate: 0.003, along: [0.4, 0.6] },
+        { ...fine, inflate: 0.004, along: [0.4, 0.6] },
         rise,
       ),
     ),
@@ -276,7 +288,7 @@ function putLeg(body, side, facets, put) {
   put(`${side}le4`, [
     piece('joint', barrel(0.88 * r, 1.7 * r, across)),
     piece('shell', bone(shank, calf, fine)),
-    piece('team', bone(shank, calf, { ...small, inflate: 0.003, around: [-50, 50], along: [0.42, 0.72] })),
+    piece('team', bone(shank, calf, { ...small, inflate: 0.004, around: [-50, 50], along: [0.42, 0.72] })),
   ]);
   put(`${side}le5`, [piece('joint', barrel(0.55 * r, 1.3 * r, across))]);
   put(`${side}le6`, foot(body, side, facets, hasDetails));
@@ -299,9 +311,10 @@ function foot(body, side, { body: fine, small }, hasDetails) {
   ];
   const at = /** @type {[number, number, number]} */ ([x, y, z]);
   const options = { ...fine, square: 3 };
+  const toe = { ...small, rings: Math.max(4, small.rings ?? 0), square: 2.6 };
   return [
     piece('shell', loft(sections, options), at),
-    piece('team', loft(sections, { ...small, square: 3, inflate: 0.002, around: [-60, 60], along: [0.42, 0.66] }), at),
+    piece('team', ellipsoid(0.9 * wide, 0.4 * deep, 1.3 * high, toe), [x, y + 0.62 * deep, z + 0.1 * high]),
     ...(hasDetails
       ? [piece('joint', loft(sections, { ...options, inflate: 0.0015, along: [0.17, 0.3], rings: 2 }), at)]
       : []),

@@ -91,7 +91,7 @@ export class RobotBatch {
     this.meshes =
       robots.length > 0 ? this.looks.map(({ body, material }) => this.#mesh(body, material, robots.length)) : [];
     this.group.clear();
-    this.group.add(...this.meshes);
+    this.meshes.forEach((mesh) => this.group.add(mesh));
     this.setShadows(this.castsShadow);
   }
 
