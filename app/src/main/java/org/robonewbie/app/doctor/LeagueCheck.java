@@ -10,7 +10,8 @@ final class LeagueCheck {
     static Finding server() {
         String found = LeagueServer.find()
                 .map(command -> "found at " + command)
-                .orElse("not installed; only \"--robot T1\" and \"--robot K1\" need it (" + LeagueServer.INSTALLATION + ")");
+                .orElse("not installed; only \"--robot T1\" and \"--robot K1\" need it (" + LeagueServer.INSTALLATION
+                        + ")");
         return Finding.well("RCSSServerMJ", found);
     }
 }

@@ -61,7 +61,8 @@ class JoiningTest {
         SimulatorProvider provider =
                 ServiceLoader.load(SimulatorProvider.class).findFirst().orElseThrow();
         return provider.start(new SimulatorRequest(
-                "NAO", 0,
+                "NAO",
+                0,
                 OptionalLong.of(1),
                 true,
                 OptionalDouble.empty(),

@@ -175,7 +175,8 @@ class BeginnersSimulatorProviderTest {
     private static SimulatorRequest requestFor(
             OptionalDouble seconds, Optional<String> scene, Optional<Path> report, Optional<Path> recording) {
         return new SimulatorRequest(
-                "NAO", 0,
+                "NAO",
+                0,
                 OptionalLong.of(4),
                 true,
                 seconds,

@@ -49,10 +49,9 @@ public final class LeagueServer implements AutoCloseable {
      * @throws IOException if it is not installed or ends at once; the message says what to do
      */
     public static LeagueServer start(int agentPort, int monitorPort) throws IOException {
-        Path command = find().orElseThrow(
-                () -> new IOException("No RCSSServerMJ is running on agent port " + agentPort
-                        + ", and none is installed. Install it with \"" + INSTALLATION
-                        + "\" in a Python environment that is active in this terminal."));
+        Path command = find().orElseThrow(() -> new IOException("No RCSSServerMJ is running on agent port " + agentPort
+                + ", and none is installed. Install it with \"" + INSTALLATION
+                + "\" in a Python environment that is active in this terminal."));
         Path folder = Files.createTempDirectory("rcssservermj"); // it writes a log into its working directory
         Process process = new ProcessBuilder(
                         command.toString(),
@@ -72,7 +71,8 @@ public final class LeagueServer implements AutoCloseable {
 
     /** Waits until the server accepts connections, and discards its further output. */
     private void awaitReady() throws IOException {
-        BufferedReader output = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        BufferedReader output =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
         String last = "";
         for (String line = output.readLine(); line != null; line = output.readLine()) {
             if (line.contains(READY)) {
