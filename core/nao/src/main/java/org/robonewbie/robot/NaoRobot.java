@@ -8,7 +8,6 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.MassDistribution;
@@ -32,6 +31,16 @@ public final class NaoRobot {
      */
     public static RobotModel of(RobotType type) {
         return MODELS.get(type.ordinal());
+    }
+
+    /**
+     * Returns whether a model is one of the five NAOs.
+     *
+     * @param model the model of any robot
+     * @return whether {@link #of} returns it for one of the types
+     */
+    public static boolean isNao(RobotModel model) {
+        return MODELS.contains(model);
     }
 
     /**
@@ -85,7 +94,7 @@ public final class NaoRobot {
                 SimSparkFrame.toBody(hinge.axis()),
                 hinge.minDegrees(),
                 hinge.maxDegrees(),
-                new Motor.Speed(PortableMath.toDegrees(hinge.maxRadiansPerSecond())),
+                new Motor.Speed(hinge.maxRadiansPerSecond()),
                 0);
     }
 

@@ -46,8 +46,41 @@ public sealed interface RobotState {
      */
     double degrees(int joint);
 
-    /** {@return whether the robot has fallen: tilted by more than 60 degrees, or the torso lower than half its height in the stance} */
+    /** {@return whether the robot is on its feet, as defined by {@link #isStanding(RobotModel, double, double)}} */
+    boolean isStanding();
+
+    /** {@return whether the robot has fallen, as defined by {@link #isFallen(RobotModel, double, double)}} */
     boolean isFallen();
+
+    /**
+     * Returns whether a robot is on its feet: tilted by less than 30 degrees, and the torso higher than 65 % of its height in the
+     * stance; for a NAO, as defined by {@link BodyState#isStanding(double, double)}.
+     *
+     * @param model the model
+     * @param tiltDegrees tilt of the torso in degrees
+     * @param torsoMetres height of the torso's frame above the ground in metres
+     * @return whether the robot is standing
+     */
+    static boolean isStanding(RobotModel model, double tiltDegrees, double torsoMetres) {
+        return NaoRobot.isNao(model)
+                ? BodyState.isStanding(tiltDegrees, torsoMetres)
+                : tiltDegrees < BodyState.STANDING_DEGREES && torsoMetres > 0.65 * model.stanceHeight();
+    }
+
+    /**
+     * Returns whether a robot has fallen: tilted by more than 60 degrees, or the torso lower than half its height in the stance; for
+     * a NAO, as defined by {@link BodyState#isFallen(double, double)}.
+     *
+     * @param model the model
+     * @param tiltDegrees tilt of the torso in degrees
+     * @param torsoMetres height of the torso's frame above the ground in metres
+     * @return whether the robot has fallen
+     */
+    static boolean isFallen(RobotModel model, double tiltDegrees, double torsoMetres) {
+        return NaoRobot.isNao(model)
+                ? BodyState.isFallen(tiltDegrees, torsoMetres)
+                : tiltDegrees > BodyState.FALLEN_DEGREES || torsoMetres < 0.5 * model.stanceHeight();
+    }
 
     /**
      * The state of a NAO.
@@ -74,6 +107,11 @@ public sealed interface RobotState {
         @Override
         public double degrees(int joint) {
             return body.hingeDegrees(joint);
+        }
+
+        @Override
+        public boolean isStanding() {
+            return body.isStanding();
         }
 
         @Override
@@ -130,9 +168,17 @@ public sealed interface RobotState {
         }
 
         @Override
+        public boolean isStanding() {
+            return RobotState.isStanding(model, tiltDegrees(), torso.position().z());
+        }
+
+        @Override
         public boolean isFallen() {
-            double tilt = BodyState.tiltDegrees(torso.rotation().apply(UP));
-            return tilt > BodyState.FALLEN_DEGREES || torso.position().z() < model.stanceHeight() / 2;
+            return RobotState.isFallen(model, tiltDegrees(), torso.position().z());
+        }
+
+        private double tiltDegrees() {
+            return BodyState.tiltDegrees(torso.rotation().apply(UP));
         }
     }
 }

@@ -66,7 +66,7 @@ final class DirectWorld implements World {
     private void execute(Robot robot, EffectorCommand command) {
         if (command instanceof SetHingeSpeed speed) {
             double radiansPerSecond = EffectorMessageWriter.rounded(speed.radiansPerSecond());
-            robot.model()
+            robot.nao()
                     .hingeIndex(speed.effectorName())
                     .ifPresent(hinge -> robot.setMotorSpeed(hinge, radiansPerSecond));
         }

@@ -24,7 +24,7 @@ record Measurements(Map<String, Double> jointDegrees, Vector3 acceleration, Vect
     /** Reads the values from the robot, before they are rounded for a message. */
     static Measurements of(Robot robot) {
         Map<String, Double> joints = new HashMap<>();
-        List<Hinge> hinges = robot.model().hinges();
+        List<Hinge> hinges = robot.nao().hinges();
         for (int i = 0; i < hinges.size(); i++) {
             joints.put(hinges.get(i).perceptorName(), robot.jointDegrees(i));
         }

@@ -82,7 +82,7 @@ final class Replay {
     private void replayRobot(RecordedRun run, BodyPose start) throws IOException {
         try (ReplayStage stage = ReplayStage.open(route, type, way)) {
             new RecordedStart(stage, run, way).reach(start);
-            RecordedCommands commands = new RecordedCommands(stage.robot().model());
+            RecordedCommands commands = new RecordedCommands(stage.robot().nao());
             List<RecordedRow> rows = run.rows();
             for (int i = 0; i < rows.size(); i++) {
                 RecordedRow row = rows.get(i);

@@ -60,7 +60,7 @@ final class WorldStage implements ReplayStage {
 
     private void apply(EffectorCommand command) {
         if (command instanceof EffectorCommand.SetHingeSpeed speed) {
-            robot.model()
+            robot.nao()
                     .hingeIndex(speed.effectorName())
                     .ifPresent(hinge -> robot.setMotorSpeed(hinge, speed.radiansPerSecond()));
         } else if (command instanceof EffectorCommand.Beam beam) {

@@ -31,7 +31,9 @@ public final class BodyState {
     /** Height of the torso's centre below which a robot counts as fallen, in metres. */
     public static final double FALLEN_METRES = 0.2;
 
-    private static final double STANDING_DEGREES = 30;
+    /** Tilt of the torso below which a robot can be on its feet, in degrees. */
+    public static final double STANDING_DEGREES = 30;
+
     private static final double STANDING_METRES = 0.25;
     private static final Vector3 FORWARD = new Vector3(1, 0, 0);
     private static final Vector3 UP = new Vector3(0, 0, 1);

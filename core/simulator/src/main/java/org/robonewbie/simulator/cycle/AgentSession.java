@@ -75,7 +75,7 @@ public final class AgentSession {
     record Body(int id, Robot robot, Optional<Camera> camera) {
 
         RobotType type() {
-            return robot.model().type();
+            return robot.type();
         }
     }
 

@@ -92,7 +92,7 @@ final class Effectors implements Restorable {
 
     /** Replaces a player's body with a new one at its last beam pose, with all joints at 0. */
     void renew(AgentSession agent, Player player) {
-        Robot robot = world.addRobot(player.robot().model().type());
+        Robot robot = world.addRobot(player.robot().type());
         world.removeRobot(player.robot());
         agent.replacePlayer(match.replaceRobot(player, robot));
         agent.setRobot(robot);
@@ -141,9 +141,9 @@ final class Effectors implements Restorable {
     private void setSpeed(AgentSession agent, Robot robot, SetHingeSpeed command) {
         String name = command.effectorName();
         double speed = command.radiansPerSecond();
-        OptionalInt hinge = robot.model().hingeIndex(name);
+        OptionalInt hinge = robot.nao().hingeIndex(name);
         if (hinge.isEmpty()) {
-            int type = robot.model().type().ordinal();
+            int type = robot.type().ordinal();
             agent.connection()
                     .warn(name, "moves hinge " + name + ", which a robot of type " + type + " does not have.");
             return;

@@ -104,11 +104,11 @@ final class PerceptorGenerator {
     }
 
     private static List<ExtraHinge> toes(Robot robot) {
-        if (!robot.model().type().hasToes()) {
+        if (!robot.type().hasToes()) {
             return List.of();
         }
         List<ExtraHinge> toes = new ArrayList<>();
-        List<Hinge> hinges = robot.model().hinges();
+        List<Hinge> hinges = robot.nao().hinges();
         for (int i = 0; i < hinges.size(); i++) {
             String name = hinges.get(i).perceptorName();
             if (name.endsWith("j7")) {

@@ -63,7 +63,7 @@ final class Restoration {
     private Optional<Player> player(RobotSnapshot robot) {
         return robot.side()
                 .flatMap(side -> cycle.match().teams().player(side, robot.number()))
-                .filter(player -> player.robot().model().type() == robot.type());
+                .filter(player -> player.robot().type() == robot.type());
     }
 
     private static List<LinkMotion> motions(RobotSnapshot before, RobotSnapshot now, double seconds) {

@@ -52,6 +52,7 @@ public final class SimulationCycle implements Restorable {
     private final PerceptorGenerator perceptors;
     private final Console console;
     private final List<AgentSession> agents = new ArrayList<>();
+    private final Map<Robot, Participant> withoutAgent = new HashMap<>();
     private final List<String> description;
     private final String settings;
     private RunRecorder recorder;
@@ -316,7 +317,21 @@ public final class SimulationCycle implements Restorable {
     private List<Participant> participants() {
         List<Participant> all = new ArrayList<>(agents.size());
         agents.forEach(agent -> agent.addParticipantTo(all));
+        if (all.size() < world.robots().size()) {
+            addWithoutAgent(all);
+        }
         return all;
+    }
+
+    /** Adds the robots that no agent controls because a program has added them to the world. */
+    private void addWithoutAgent(List<Participant> all) {
+        withoutAgent.keySet().retainAll(world.robots());
+        for (Robot robot : world.robots()) {
+            if (all.stream().noneMatch(participant -> participant.robot() == robot)) {
+                all.add(withoutAgent.computeIfAbsent(
+                        robot, added -> new Participant(effectors.nextId(), Optional.empty(), added, List.of(), 0)));
+            }
+        }
     }
 
     private void generateMessages() {

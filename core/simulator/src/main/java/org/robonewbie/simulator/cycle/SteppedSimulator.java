@@ -139,7 +139,10 @@ public final class SteppedSimulator implements AutoCloseable {
         return cycle.cycle();
     }
 
-    /** {@return the world with its robots in order of creation} */
+    /**
+     * {@return the world with its robots in order of creation; a robot that is added to it takes part in the simulation, and the owner
+     * of the simulator commands its motors}
+     */
     public SoccerWorld world() {
         return cycle.world();
     }

@@ -252,7 +252,7 @@ public final class RobotModelJson {
         private static Motor motor(JsonElement hinge) {
             return hinge.getAsJsonObject().has("maxTorque")
                     ? new Motor.Torque(number(hinge, "maxTorque"), number(hinge, "stiffness"), number(hinge, "damping"))
-                    : new Motor.Speed(number(hinge, "maxSpeed"));
+                    : Motor.Speed.ofDegrees(number(hinge, "maxSpeed"));
         }
 
         private int link(JsonElement hinge, String name) {

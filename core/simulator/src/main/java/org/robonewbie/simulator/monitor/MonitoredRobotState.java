@@ -34,10 +34,10 @@ public record MonitoredRobotState(
      * @return its current state
      */
     public static MonitoredRobotState of(int id, Robot robot, Optional<PlayerNumber> player, boolean selected) {
-        List<BodyPose> links = IntStream.range(0, robot.model().links().size())
+        List<BodyPose> links = IntStream.range(0, robot.nao().links().size())
                 .mapToObj(robot::linkPose)
                 .toList();
-        return of(id, robot.model().type(), links, player, selected);
+        return of(id, robot.type(), links, player, selected);
     }
 
     static MonitoredRobotState of(

@@ -30,15 +30,16 @@ public interface Assembly {
     MotorHinge addHinge(RigidBody child, RigidBody parent, HingeDefinition definition);
 
     /**
-     * Attaches a collision shape to the centre of a body.
+     * Attaches a collision shape to a body.
      *
      * @param body the body
+     * @param pose pose of the shape's centre relative to the body; {@link BodyPose#ORIGIN} for a shape around its centre of mass
      * @param shape the shape
      * @param material material of the surface
      * @param owner the object that the collider belongs to; see {@link Collider#owner()}
      * @return the new collider
      */
-    Collider addCollider(RigidBody body, Shape shape, Material material, Object owner);
+    Collider addCollider(RigidBody body, BodyPose pose, Shape shape, Material material, Object owner);
 
     /**
      * Adds a static collider.

@@ -12,6 +12,9 @@ import org.robonewbie.nao.kinematics.SimSparkFrame;
  */
 public record BodyPose(Vector3 position, RotationMatrix rotation) {
 
+    /** The pose of the reference frame itself. */
+    public static final BodyPose ORIGIN = new BodyPose(Vector3.ZERO, RotationMatrix.IDENTITY);
+
     /**
      * Transforms a point from the body frame to the world frame.
      *
@@ -20,6 +23,22 @@ public record BodyPose(Vector3 position, RotationMatrix rotation) {
      */
     public Vector3 toWorld(Vector3 local) {
         return position.plus(rotation.apply(local));
+    }
+
+    /**
+     * Transforms a pose from the body frame to the world frame.
+     *
+     * @param local a pose in the body frame
+     * @return the pose in the world frame
+     */
+    public BodyPose times(BodyPose local) {
+        return new BodyPose(toWorld(local.position), rotation.after(local.rotation));
+    }
+
+    /** {@return the pose of the world frame relative to the body frame} */
+    public BodyPose inverse() {
+        RotationMatrix back = rotation.inverse();
+        return new BodyPose(back.apply(position).times(-1), back);
     }
 
     /**

@@ -4,15 +4,16 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.robot.RobotModel;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.world.Robot;
 
 /**
  * Ground-truth results for one robot: its falls and the distance that it walked.
  *
- * <p>A robot is standing while its torso is tilted by less than 30 degrees and the centre of the torso is more than 0.25 m above
+ * <p>A NAO is standing while its torso is tilted by less than 30 degrees and the centre of the torso is more than 0.25 m above
  * the ground. A fall is counted when the torso of a robot that has stood since its last fall tilts by more than 60 degrees or
- * sinks below 0.2 m.
+ * sinks below 0.2 m. For other robots, the heights are those of {@link org.robonewbie.robot.RobotState}.
  *
  * <p>The distance walked is the length of the upright torso's path over the ground, low-pass filtered with a time constant of
  * 0.5 s and measured in segments of 0.1 m, so that swaying on the spot does not count. Beams and moves by the referee do not
@@ -26,7 +27,7 @@ final class RobotStatistics {
     /** Movement per cycle above which the robot must have been beamed. */
     private static final double BEAM_METRES = 0.1;
 
-    private final NaoModel model;
+    private final RobotModel model;
     private Vector3 start = Vector3.ZERO;
     private Vector3 position = Vector3.ZERO;
     private double headingDegrees;
@@ -42,9 +43,9 @@ final class RobotStatistics {
     private boolean hasStood;
     private int falls;
 
-    RobotStatistics(NaoModel model) {
+    RobotStatistics(RobotModel model) {
         this.model = model;
-        this.jointDegrees = new double[model.hinges().size()];
+        this.jointDegrees = new double[model.joints().size()];
     }
 
     void beforeStep(Robot robot) {
@@ -72,7 +73,7 @@ final class RobotStatistics {
         }
     }
 
-    NaoModel model() {
+    RobotModel model() {
         return model;
     }
 
@@ -97,13 +98,13 @@ final class RobotStatistics {
     }
 
     boolean isUpright() {
-        return BodyState.isStanding(leanDegrees, position.z());
+        return RobotState.isStanding(model, leanDegrees, position.z());
     }
 
     private void countFalls() {
         if (isUpright()) {
             hasStood = true;
-        } else if (hasStood && BodyState.isFallen(leanDegrees, position.z())) {
+        } else if (hasStood && RobotState.isFallen(model, leanDegrees, position.z())) {
             hasStood = false;
             falls++;
         }

@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.Hinge;
-import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.robot.RobotModel;
 import org.robonewbie.simulator.json.Json;
 
 /**
@@ -118,13 +117,10 @@ public record RunReport(
                         .toJson(json) + "\n";
     }
 
-    /** Maps the names of all hinges, such as {@code LEFT_KNEE_PITCH}, to their angles. Toe joints keep their SimSpark names. */
-    static Map<String, Double> joints(NaoModel model, double[] degrees) {
+    /** Maps the names of all joints, such as {@code LEFT_KNEE_PITCH}, to their angles. Toe joints keep their SimSpark names. */
+    static Map<String, Double> joints(RobotModel model, double[] degrees) {
         Map<String, Double> joints = new LinkedHashMap<>();
-        List<Hinge> hinges = model.hinges();
-        for (int i = 0; i < hinges.size(); i++) {
-            joints.put(hinges.get(i).jointName(), degrees[i]);
-        }
+        model.joints().forEach(joint -> joints.put(joint.name(), degrees[joint.index()]));
         return joints;
     }
 

@@ -59,6 +59,6 @@ public final class Snapshots {
                 player.isPresent() ? player.get().team().name() : "",
                 player.map(Player::side),
                 player.isPresent() ? player.get().number() : 0,
-                participant.robot().body());
+                participant.robot().state());
     }
 }

@@ -84,7 +84,7 @@ public final class Camera implements Restorable {
      * @return the detected objects; values are not rounded
      */
     public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
-        BodyPose head = observer.linkPose(observer.model().linkIndex(BodyPart.HEAD.simSparkName()));
+        BodyPose head = observer.linkPose(observer.nao().linkIndex(BodyPart.HEAD.simSparkName()));
         Vector3 ball = world.ball().position();
         return new Vision(
                 landmarks(head),

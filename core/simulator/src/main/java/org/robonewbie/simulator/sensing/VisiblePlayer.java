@@ -31,7 +31,7 @@ public record VisiblePlayer(String team, int number, List<Vector3> parts) {
     private static List<Vector3> positions(Robot robot) {
         List<Vector3> positions = new ArrayList<>(PARTS.length);
         for (BodyPart part : PARTS) {
-            positions.add(robot.linkPosition(robot.model().linkIndex(part.simSparkName())));
+            positions.add(robot.linkPosition(robot.nao().linkIndex(part.simSparkName())));
         }
         return positions;
     }

@@ -20,7 +20,7 @@ import org.robonewbie.simulator.world.Robot;
 record OrientedBox(Vector3 centre, Vector3 x, Vector3 y, Vector3 z) {
 
     static OrientedBox of(Robot robot, int link) {
-        Shape.Box box = (Shape.Box) robot.model().links().get(link).shape();
+        Shape.Box box = (Shape.Box) robot.nao().links().get(link).shape();
         BodyPose pose = robot.linkPose(link);
         return new OrientedBox(
                 pose.position(),

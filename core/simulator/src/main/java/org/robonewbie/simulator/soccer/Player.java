@@ -15,7 +15,7 @@ public final class Player {
     private final FoulHistory fouls;
 
     Player(Team team, int number, Robot robot) {
-        this(team, number, robot, new FoulHistory(robot.model().hinges().size()));
+        this(team, number, robot, new FoulHistory(robot.nao().hinges().size()));
     }
 
     private Player(Team team, int number, @Nullable Robot robot, FoulHistory fouls) {

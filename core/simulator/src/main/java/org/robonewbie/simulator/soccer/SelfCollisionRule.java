@@ -44,7 +44,7 @@ final class SelfCollisionRule implements FoulRule {
 
     private void judge(Player player) {
         Robot robot = player.robot();
-        List<Integer> boxes = boxes(robot.model());
+        List<Integer> boxes = boxes(robot.nao());
         List<OrientedBox> placed =
                 boxes.stream().map(link -> OrientedBox.of(robot, link)).toList();
         double tolerance = match.parameters().get(SoccerParameter.SELF_COLLISIONS_TOLERANCE);
@@ -52,7 +52,7 @@ final class SelfCollisionRule implements FoulRule {
         for (int i = 0; i < placed.size(); i++) {
             for (int j = i + 1; j < placed.size(); j++) {
                 if (placed.get(i).overlaps(placed.get(j), tolerance)
-                        && !isAllowed(robot.model(), boxes.get(i), boxes.get(j))) {
+                        && !isAllowed(robot.nao(), boxes.get(i), boxes.get(j))) {
                     foul |= punish(player, boxes.get(i), boxes.get(j));
                 }
             }
@@ -94,7 +94,7 @@ final class SelfCollisionRule implements FoulRule {
 
     /** Freezes all hinges of a link's limb; the torso does not belong to a limb. */
     private boolean freeze(Player player, int link) {
-        NaoModel model = player.robot().model();
+        NaoModel model = player.robot().nao();
         String limb = limb(model.links().get(link).name());
         List<Hinge> hinges = model.hinges();
         boolean frozen = false;

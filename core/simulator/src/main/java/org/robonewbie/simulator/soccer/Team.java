@@ -108,16 +108,13 @@ public final class Team {
     }
 
     private int count(RobotType type) {
-        return (int) players.stream()
-                .filter(player -> player.robot().model().type() == type)
-                .count();
+        return (int)
+                players.stream().filter(player -> player.robot().type() == type).count();
     }
 
     private int typesPresent() {
-        return (int) players.stream()
-                .map(player -> player.robot().model().type())
-                .distinct()
-                .count();
+        return (int)
+                players.stream().map(player -> player.robot().type()).distinct().count();
     }
 
     private boolean isTaken(int number) {

@@ -92,7 +92,7 @@ public final class Teams {
      */
     public Player join(String name, int number, Robot robot) throws JoinRefusedException {
         Team team = findOrCreate(name);
-        Optional<String> objection = team.objection(number, robot.model().type());
+        Optional<String> objection = team.objection(number, robot.type());
         if (objection.isPresent()) {
             throw new JoinRefusedException(objection.get());
         }

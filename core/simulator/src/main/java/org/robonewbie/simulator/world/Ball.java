@@ -4,6 +4,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
@@ -20,7 +21,7 @@ public final class Ball {
         this.properties = properties;
         Shape shape = new Shape.Sphere(properties.radius());
         body = scenery.addBody(MassDistribution.of(shape, properties.massKg()), new Vector3(0, 0, properties.radius()));
-        scenery.addCollider(body, shape, SurfaceMaterials.BALL, this);
+        scenery.addCollider(body, BodyPose.ORIGIN, shape, SurfaceMaterials.BALL, this);
     }
 
     /** {@return the radius and mass of the ball} */

@@ -96,6 +96,6 @@ final class ContactReport {
 
     private static RobotPart part(StateReader in, List<Robot> robots) {
         Robot robot = robots.get(in.getIndex(robots.size()));
-        return new RobotPart(robot, in.getIndex(robot.model().links().size()));
+        return new RobotPart(robot, in.getIndex(robot.model().bodies().size()));
     }
 }

@@ -30,7 +30,7 @@ public final class PlacedThings {
         }
         RigidBody body = scenery.addBody(MassDistribution.of(shape, thing.massKg()), thing.centre());
         body.setRotation(BodyPose.of(thing.pose()).rotation());
-        scenery.addCollider(body, shape, SurfaceMaterials.THING, Pitch.SCENERY);
+        scenery.addCollider(body, BodyPose.ORIGIN, shape, SurfaceMaterials.THING, Pitch.SCENERY);
         return Optional.of(body);
     }
 

@@ -2,18 +2,23 @@ package org.robonewbie.simulator.world;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.Hinge;
-import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.FootForces;
+import org.robonewbie.robot.Motor;
+import org.robonewbie.robot.NaoRobot;
+import org.robonewbie.robot.RobotBody;
+import org.robonewbie.robot.RobotJoint;
+import org.robonewbie.robot.RobotModel;
+import org.robonewbie.robot.RobotState;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.BoundingBox;
@@ -25,8 +30,8 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 /**
  * Simulated robot body with motors, inertial sensors and force sensors.
  *
- * <p>Frames are SimSpark's: in the frame of a link, x points to the robot's right, y forward, z up. Indices of hinges
- * and links are those of {@link NaoModel}.
+ * <p>The body can be that of any {@link RobotModel}. Frames are SimSpark's: in the frame of a link, x points to the robot's right,
+ * y forward, z up. Links are the model's bodies and hinges are its joints, with the same indices.
  *
  * <pre>{@code
  * robot.setMotorSpeed(Joint.LEFT_KNEE_PITCH, -1.0);
@@ -36,7 +41,7 @@ import org.robonewbie.simulator.physics.RotationMatrix;
  */
 public final class Robot {
 
-    /** Maximum torque of a motor in newton metres. */
+    /** Maximum torque of a motor that is commanded by speed, in newton metres. */
     public static final double MAX_TORQUE = 10;
 
     /** Position of a new robot's torso in the world frame. */
@@ -48,8 +53,10 @@ public final class Robot {
     /** Linear and angular drag (SimSpark: {@code dragcontroller.cpp}). */
     private static final double DRAG = 0.01;
 
-    private final NaoModel model;
+    private final RobotModel model;
+    private final Optional<RobotType> type;
     private final Assembly assembly;
+    private final List<RobotLink> links;
     private final List<RigidBody> bodies;
     private final List<MotorHinge> hinges;
     private final Accelerometer accelerometer = new Accelerometer();
@@ -58,52 +65,93 @@ public final class Robot {
 
     private record Beam(Vector3 position, double yawDegrees) {}
 
-    Robot(Assembly assembly, RobotType type) {
-        this.model = NaoModel.of(type);
+    Robot(Assembly assembly, RobotModel model) {
+        this.model = model;
+        this.type = NaoRobot.typeOf(model);
         this.assembly = assembly;
         RobotBuilder builder = new RobotBuilder(this, assembly);
-        this.bodies = builder.addBodies(START_POSITION);
-        this.hinges = builder.addHinges(bodies, START_POSITION);
+        this.links = builder.addLinks(START_POSITION);
+        this.bodies = links.stream().map(RobotLink::body).toList();
+        this.hinges = builder.addHinges(links, START_POSITION);
         this.plates = footPlates(model);
     }
 
-    /** {@return the links and hinges of this robot type} */
-    public NaoModel model() {
+    /** {@return the model of the robot} */
+    public RobotModel model() {
         return model;
     }
 
+    /** {@return whether the robot is a NAO} */
+    public boolean isNao() {
+        return type.isPresent();
+    }
+
     /**
-     * Sets the target speed of a motor, as in SimSpark. The speed is limited to the motor's maximum, ignored while the
+     * Returns the type of a NAO.
+     *
+     * @return the robot type
+     * @throws IllegalStateException if the robot is not a NAO
+     */
+    public RobotType type() {
+        if (type.isEmpty()) {
+            throw new IllegalStateException("The robot is a " + model.name() + ". Only a NAO can be used here.");
+        }
+        return type.get();
+    }
+
+    /**
+     * Returns the links and hinges of a NAO.
+     *
+     * @return the model in SimSpark's frame
+     * @throws IllegalStateException if the robot is not a NAO
+     */
+    public NaoModel nao() {
+        return NaoModel.of(type());
+    }
+
+    /**
+     * Sets the target speed of a motor, as in SimSpark. The speed is limited to the motor's maximum, if it has one, ignored while the
      * joint is at or beyond a stop, and kept until the next command. A speed other than 0 wakes a sleeping limb.
      *
      * @param hingeIndex index of the hinge
      * @param radiansPerSecond target speed; 0 holds the joint; NaN is ignored
      */
     public void setMotorSpeed(int hingeIndex, double radiansPerSecond) {
-        Hinge hinge = model.hinges().get(hingeIndex);
+        RobotJoint joint = model.joints().get(hingeIndex);
         if (Double.isNaN(radiansPerSecond)) {
             return;
         }
-        double limit = hinge.maxRadiansPerSecond();
+        double limit = joint.motor() instanceof Motor.Speed motor ? motor.maxRadiansPerSecond() : WorldLimits.MAX_SPEED;
         double speed = Math.max(-limit, Math.min(limit, radiansPerSecond));
         double degrees = jointDegrees(hingeIndex);
-        if (degrees > hinge.minDegrees() && degrees < hinge.maxDegrees()) {
+        if (degrees > joint.minDegrees() && degrees < joint.maxDegrees()) {
             hinges.get(hingeIndex).setSpeed(speed);
         }
         if (speed != 0) {
-            bodies.get(model.linkIndex(hinge.child())).wake();
+            bodies.get(joint.body()).wake();
         }
     }
 
     /**
-     * Sets the target speed of a joint's motor.
+     * Sets the target speed of the motor of a joint of this robot's model.
+     *
+     * @param joint the joint
+     * @param radiansPerSecond target speed
+     * @see #setMotorSpeed(int, double)
+     */
+    public void setMotorSpeed(RobotJoint joint, double radiansPerSecond) {
+        setMotorSpeed(joint.index(), radiansPerSecond);
+    }
+
+    /**
+     * Sets the target speed of the motor of a NAO's joint.
      *
      * @param joint the joint
      * @param radiansPerSecond target speed
      * @see #setMotorSpeed(int, double)
      */
     public void setMotorSpeed(Joint joint, double radiansPerSecond) {
-        setMotorSpeed(model.hingeIndex(joint), radiansPerSecond);
+        setMotorSpeed(nao().hingeIndex(joint), radiansPerSecond);
     }
 
     /**
@@ -117,38 +165,70 @@ public final class Robot {
     }
 
     /**
-     * Returns the angle of a joint.
+     * Returns the angle of a joint of this robot's model.
+     *
+     * @param joint the joint
+     * @return degrees; can slightly exceed the stops
+     */
+    public double jointDegrees(RobotJoint joint) {
+        return jointDegrees(joint.index());
+    }
+
+    /**
+     * Returns the angle of a NAO's joint.
      *
      * @param joint the joint
      * @return degrees; can slightly exceed the stops
      */
     public double jointDegrees(Joint joint) {
-        return jointDegrees(model.hingeIndex(joint));
+        return jointDegrees(nao().hingeIndex(joint));
     }
 
     /** {@return the torso's pose in the world frame} */
     public BodyPose torso() {
-        return bodies.get(0).pose();
+        return links.get(0).pose();
     }
 
     /** {@return the heading of the torso in degrees, 0 along the world's x axis, positive to the left} */
     public double headingDegrees() {
-        return BodyState.headingDegrees(bodies.get(0).axisY());
+        return BodyState.headingDegrees(links.get(0).axisY());
     }
 
     /** {@return the tilt of the torso in degrees: 0 upright, 180 upside down} */
     public double tiltDegrees() {
-        return BodyState.tiltDegrees(bodies.get(0).upwards());
+        return BodyState.tiltDegrees(links.get(0).upwards());
     }
 
-    /** {@return whether the torso is tilted by more than 60 degrees or its centre is below 0.2 m} */
+    /** {@return whether the robot is on its feet, as defined by {@link RobotState#isStanding}} */
+    public boolean isStanding() {
+        return RobotState.isStanding(model, tiltDegrees(), linkPosition(0).z());
+    }
+
+    /** {@return whether the robot has fallen, as defined by {@link RobotState#isFallen}} */
     public boolean isFallen() {
-        return BodyState.isFallen(tiltDegrees(), linkPosition(0).z());
+        return RobotState.isFallen(model, tiltDegrees(), linkPosition(0).z());
+    }
+
+    /**
+     * Returns the current torso pose and joint angles of a NAO.
+     *
+     * @return the state
+     * @throws IllegalStateException if the robot is not a NAO
+     */
+    public BodyState body() {
+        return BodyState.measured(type(), torso().toBodyAxes(), this::jointDegrees);
     }
 
     /** {@return the current torso pose and joint angles} */
-    public BodyState body() {
-        return BodyState.measured(model.type(), torso().toBodyAxes(), this::jointDegrees);
+    public RobotState state() {
+        return isNao()
+                ? new RobotState.OfNao(body())
+                : new RobotState.OfModel(
+                        model,
+                        torso().toBodyAxes(),
+                        IntStream.range(0, hinges.size())
+                                .mapToDouble(this::jointDegrees)
+                                .toArray());
     }
 
     /** {@return the velocity of the torso in the world frame in metres per second} */
@@ -163,17 +243,17 @@ public final class Robot {
      * @return pose in the world frame
      */
     public BodyPose linkPose(int linkIndex) {
-        return bodies.get(linkIndex).pose();
+        return links.get(linkIndex).pose();
     }
 
     /**
      * Returns the position of a link.
      *
      * @param linkIndex index of the link
-     * @return centre in the world frame, metres
+     * @return origin of the link's frame in the world frame, metres; for a NAO, the centre of the link
      */
     public Vector3 linkPosition(int linkIndex) {
-        return bodies.get(linkIndex).position();
+        return links.get(linkIndex).position();
     }
 
     /** {@return the gyroscope reading: angular velocity of the torso about its axes in degrees per second} */
@@ -223,14 +303,14 @@ public final class Robot {
     /**
      * Sets the poses and velocities of all links and wakes them. All motors hold their angles until the next command.
      *
-     * @param links one motion per link of the {@link #model}, consistent with its joints
+     * @param motions one motion per body of the {@link #model}, consistent with its joints
      */
-    public void place(List<LinkMotion> links) {
+    public void place(List<LinkMotion> motions) {
         for (int i = 0; i < bodies.size(); i++) {
             RigidBody body = bodies.get(i);
-            LinkMotion motion = links.get(i);
-            body.setPosition(WorldLimits.position(motion.pose().position()));
-            body.setRotation(motion.pose().rotation());
+            LinkMotion motion = motions.get(i);
+            BodyPose pose = motion.pose();
+            links.get(i).place(new BodyPose(WorldLimits.position(pose.position()), pose.rotation()));
             body.setVelocity(motion.velocity());
             body.setAngularVelocity(motion.radiansPerSecond());
         }
@@ -286,14 +366,12 @@ public final class Robot {
         bodies.forEach(RigidBody::wake);
     }
 
-    /** {@return the bounding box of the torso and all links that collide} */
+    /** {@return the bounding box of the torso's centre and all shapes that collide} */
     public BoundingBox boundingBox() {
-        BoundingBox box = BoundingBox.of(model.links().get(0).shape(), torso());
-        for (int i = 1; i < bodies.size(); i++) {
-            Link link = model.links().get(i);
-            if (link.collides()) {
-                box = box.union(BoundingBox.of(link.shape(), linkPose(i)));
-            }
+        Vector3 centre = linkPosition(0);
+        BoundingBox box = new BoundingBox(centre, centre);
+        for (int i = 0; i < links.size(); i++) {
+            box = links.get(i).addTo(box);
         }
         return box;
     }
@@ -334,8 +412,7 @@ public final class Robot {
     /** Resets the robot to its initial pose after its links have been torn apart. */
     private void rebuild() {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).setRotation(RotationMatrix.IDENTITY);
-            bodies.get(i).setPosition(START_POSITION.plus(model.links().get(i).position()));
+            links.get(i).putToStart(START_POSITION);
             stop(bodies.get(i));
         }
         wake();
@@ -345,8 +422,8 @@ public final class Robot {
         assembly.remove();
     }
 
-    private static List<FootPlate> footPlates(NaoModel model) {
-        List<String> names = model.links().stream().map(Link::name).toList();
+    private static List<FootPlate> footPlates(RobotModel model) {
+        List<String> names = model.bodies().stream().map(RobotBody::name).toList();
         return FOOT_LINKS.stream()
                 .filter(names::contains)
                 .map(name -> new FootPlate(names.indexOf(name)))

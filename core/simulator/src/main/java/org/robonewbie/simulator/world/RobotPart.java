@@ -4,12 +4,12 @@ package org.robonewbie.simulator.world;
  * Link of a robot, as reported in contacts.
  *
  * @param robot the robot
- * @param link index of the link in {@code robot.model().links()}
+ * @param link index of the link in {@code robot.model().bodies()}
  */
 public record RobotPart(Robot robot, int link) {
 
-    /** {@return the SimSpark name of the link, such as {@code rfoot}} */
+    /** {@return the name of the link, such as {@code rfoot}} */
     public String name() {
-        return robot.model().links().get(link).name();
+        return robot.model().bodies().get(link).name();
     }
 }

@@ -2,7 +2,9 @@ package org.robonewbie.simulator.world;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
@@ -10,6 +12,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.robot.NaoRobot;
+import org.robonewbie.robot.RobotModel;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.physics.PhysicsWorld;
@@ -31,10 +35,15 @@ import org.robonewbie.simulator.state.WorldState;
  */
 public final class SoccerWorld implements Restorable {
 
+    private static final int NAO_TYPES = RobotType.values().length;
+
     private final SoccerField field;
     private final PhysicsWorld engine;
     private final Ball ball;
     private final PlacedThings things;
+    /** Models other than the NAO's that robots of this world have or had. */
+    private final Set<RobotModel> models = Collections.newSetFromMap(new IdentityHashMap<>());
+
     private final List<Robot> robots = new ArrayList<>();
     private final List<Robot> readOnlyRobots = Collections.unmodifiableList(robots);
     private final ContactReport report = new ContactReport();
@@ -86,7 +95,23 @@ public final class SoccerWorld implements Restorable {
      * @return the new robot
      */
     public Robot addRobot(RobotType type) {
-        Robot robot = new Robot(engine.addAssembly(), type);
+        return addRobot(NaoRobot.of(type));
+    }
+
+    /**
+     * Adds a robot of any model, which appears upright above the ground at {@link Robot#START_POSITION} and falls. All joints are at
+     * 0° and hold that angle until their motors are commanded.
+     *
+     * @param model the model
+     * @return the new robot
+     * @throws IllegalArgumentException if the model cannot be simulated; the message says why
+     */
+    public Robot addRobot(RobotModel model) {
+        RobotBuilder.check(model);
+        Robot robot = new Robot(engine.addAssembly(), model);
+        if (!robot.isNao()) {
+            models.add(model);
+        }
         robots.add(robot);
         return robot;
     }
@@ -174,7 +199,7 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Restores a saved state. Existing robots are kept up to the first one whose type differs from the saved type; the
+     * Restores a saved state. Existing robots are kept up to the first one whose model differs from the saved one; the
      * rest are removed, and missing robots are added.
      *
      * @param state the state of a world with the same settings
@@ -192,7 +217,7 @@ public final class SoccerWorld implements Restorable {
 
     @Override
     public void save(StateWriter out) {
-        out.putAll(robots, robot -> out.putEnum(robot.model().type()));
+        out.putAll(robots, robot -> saveModel(robot, out));
         engine.save(out);
         robots.forEach(robot -> robot.save(out));
         report.save(out, robots);
@@ -200,19 +225,41 @@ public final class SoccerWorld implements Restorable {
 
     @Override
     public void restore(StateReader in) {
-        matchRobots(in.getAll(() -> in.getEnum(RobotType.values())));
+        matchRobots(in.getAll(() -> restoreModel(in)));
         engine.restore(in);
         robots.forEach(robot -> robot.restore(in));
         report.restore(in, robots);
     }
 
-    private void matchRobots(List<RobotType> types) {
+    /** Saves the index of a NAO's type, or a larger index and the name of another model. */
+    private static void saveModel(Robot robot, StateWriter out) {
+        if (robot.isNao()) {
+            out.putEnum(robot.type());
+        } else {
+            out.putInt(NAO_TYPES);
+            out.putText(robot.model().name());
+        }
+    }
+
+    private RobotModel restoreModel(StateReader in) {
+        int type = in.getIndex(NAO_TYPES + 1);
+        if (type < NAO_TYPES) {
+            return NaoRobot.of(RobotType.values()[type]);
+        }
+        String name = in.getText();
+        return models.stream()
+                .filter(model -> model.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("The state contains a robot of the model " + name
+                        + ", which this world has never had. Add such a robot before restoring the state."));
+    }
+
+    private void matchRobots(List<RobotModel> saved) {
         int same = 0;
-        while (same < Math.min(types.size(), robots.size())
-                && robots.get(same).model().type() == types.get(same)) {
+        while (same < Math.min(saved.size(), robots.size()) && robots.get(same).model() == saved.get(same)) {
             same++;
         }
         List.copyOf(robots.subList(same, robots.size())).forEach(this::removeRobot);
-        types.subList(same, types.size()).forEach(this::addRobot);
+        saved.subList(same, saved.size()).forEach(this::addRobot);
     }
 }

@@ -11,7 +11,8 @@ import org.robonewbie.simulator.physics.RigidBody;
 final class WorldLimits {
 
     private static final double MAX_COORDINATE = 1000;
-    private static final double MAX_SPEED = 1000;
+    static final double MAX_SPEED = 1000;
+
     private static final double MAX_FORCE = 1000;
     private static final double MAX_DISTANCE = 10 * MAX_COORDINATE;
 

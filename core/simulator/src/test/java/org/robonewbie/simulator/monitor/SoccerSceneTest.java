@@ -74,8 +74,8 @@ class SoccerSceneTest {
 
         var shown = seen.robot(player).orElseThrow();
         assertThat(shown.type()).isEqualTo(type);
-        for (int i = 0; i < robot.model().links().size(); i++) {
-            String link = robot.model().links().get(i).name();
+        for (int i = 0; i < robot.nao().links().size(); i++) {
+            String link = robot.nao().links().get(i).name();
             assertThat(shown.link(link)
                             .orElseThrow()
                             .position()

@@ -171,7 +171,7 @@ class RecordingTest {
     private void record(Path file, Player player, int cycles, List<Vector3> torsos, List<Vector3> feet)
             throws IOException, JoinRefusedException {
         Robot robot = player.robot();
-        int foot = robot.model().linkIndex("rfoot");
+        int foot = robot.nao().linkIndex("rfoot");
         match.setPlayMode(PlayMode.PLAY_ON);
         List<String> header = new ArrayList<>(List.of("seed=5"));
         header.addAll(SoccerParameters.league().assignments());

@@ -77,9 +77,9 @@ final class NoisyScene {
     /** Tells where a part of the body is in the frame of the head of a robot with all joints at 0. */
     static Vector3 fromHead(BodyPart part) {
         Robot robot = new SoccerWorld(SoccerField.LEAGUE).addRobot(RobotType.TYPE_0);
-        BodyPose head = robot.linkPose(robot.model().linkIndex(BodyPart.HEAD.simSparkName()));
+        BodyPose head = robot.linkPose(robot.nao().linkIndex(BodyPart.HEAD.simSparkName()));
         Vector3 position =
-                robot.linkPose(robot.model().linkIndex(part.simSparkName())).position();
+                robot.linkPose(robot.nao().linkIndex(part.simSparkName())).position();
         return head.rotation().inverse().apply(position.minus(head.position()));
     }
 

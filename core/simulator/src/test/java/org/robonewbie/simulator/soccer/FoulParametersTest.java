@@ -154,7 +154,7 @@ class FoulParametersTest {
     void timeThatJointsAreFrozenCanBeSet() {
         Game game = playing("SelfCollisionJointFrozenTime=0.4", "SelfCollisionJointThawTime=1000");
         Player player = game.hittingItself();
-        int hinge = player.robot().model().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
+        int hinge = player.robot().nao().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
 
         boolean frozen = game.match.isFrozen(player, hinge);
         game.cycles(0.45);

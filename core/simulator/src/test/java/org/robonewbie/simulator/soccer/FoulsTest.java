@@ -136,7 +136,7 @@ class FoulsTest {
     @Test
     void armThatRunsIntoTheBodyIsFrozenForASecond() {
         Player player = game.hittingItself();
-        int hinge = player.robot().model().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
+        int hinge = player.robot().nao().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
 
         boolean frozen = game.match.isFrozen(player, hinge);
         game.cycles(1.1);

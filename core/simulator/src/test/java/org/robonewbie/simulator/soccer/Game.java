@@ -116,7 +116,7 @@ final class Game {
         Robot robot = player.robot();
         Vector3 ball = world.ball().position();
         put(player, ball.x() - 0.13, ball.y() + 0.055);
-        int foot = robot.model().linkIndex("rfoot");
+        int foot = robot.nao().linkIndex("rfoot");
         world.step();
         world.ball().place(robot.linkPose(foot).position().plus(new Vector3(0.1, 0, 0.02)));
         for (int i = 0; i < 3; i++) {

@@ -29,7 +29,7 @@ class BeamedRobotTest {
             assertThat(turn.axisY().dot(turn.axisZ())).isCloseTo(0, within(1e-11));
         }
 
-        double feet = robot.linkPose(robot.model().linkIndex("rfoot"))
+        double feet = robot.linkPose(robot.nao().linkIndex("rfoot"))
                 .position()
                 .distanceTo(robot.torso().position());
         assertThat(feet).isCloseTo(0.38, within(0.02));

@@ -87,8 +87,8 @@ class OdeReferenceTest {
     }
 
     private static void setSpeed(Robot robot, String effector, double radiansPerSecond) {
-        for (int i = 0; i < robot.model().hinges().size(); i++) {
-            Hinge hinge = robot.model().hinges().get(i);
+        for (int i = 0; i < robot.nao().hinges().size(); i++) {
+            Hinge hinge = robot.nao().hinges().get(i);
             if (hinge.effectorName().equals(effector)) {
                 robot.setMotorSpeed(i, radiansPerSecond);
             }

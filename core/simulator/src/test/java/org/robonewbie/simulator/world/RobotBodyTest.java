@@ -23,7 +23,7 @@ class RobotBodyTest {
         SoccerWorld world = new SoccerWorld(SoccerField.BEGINNER);
         Robot robot = world.addRobot(type);
         Random random = new Random(1);
-        for (int i = 0; i < robot.model().hinges().size(); i++) {
+        for (int i = 0; i < robot.nao().hinges().size(); i++) {
             robot.setMotorSpeed(i, random.nextDouble() - 0.5);
         }
 

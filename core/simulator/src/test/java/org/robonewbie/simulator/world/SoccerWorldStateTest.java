@@ -64,7 +64,7 @@ class SoccerWorldStateTest {
                 world.addRobot(RobotType.TYPE_4).beam(place(step / 60), 30);
             }
             for (Robot robot : world.robots()) {
-                int hinge = random.nextInt(robot.model().hinges().size());
+                int hinge = random.nextInt(robot.nao().hinges().size());
                 robot.setMotorSpeed(hinge, 8 * random.nextDouble() - 4);
             }
         }

@@ -70,10 +70,8 @@ class SoccerWorldTest {
             world.step();
         }
 
-        double weight = robot.model().links().stream()
-                        .mapToDouble(link -> link.massKg())
-                        .sum()
-                * 9.81;
+        double weight =
+                robot.nao().links().stream().mapToDouble(link -> link.massKg()).sum() * 9.81;
         double felt = Stream.of(
                         robot.footForces().left(),
                         robot.footForces().right(),
@@ -210,7 +208,7 @@ class SoccerWorldTest {
         robot.moveTo(new Vector3(3, 3, 0.5));
 
         assertThat(robot.torso().position().distanceTo(new Vector3(3, 3, 0.5))).isLessThan(1e-9);
-        assertThat(robot.linkPose(robot.model().linkIndex("head")).position().distanceTo(new Vector3(3, 3, 0.655)))
+        assertThat(robot.linkPose(robot.nao().linkIndex("head")).position().distanceTo(new Vector3(3, 3, 0.655)))
                 .isLessThan(1e-3);
     }
 
@@ -242,7 +240,7 @@ class SoccerWorldTest {
         List<BodyPose> poses = new ArrayList<>();
         for (int i = 0; i < 200; i++) {
             for (Robot robot : world.robots()) {
-                for (int j = 0; j < robot.model().hinges().size(); j++) {
+                for (int j = 0; j < robot.nao().hinges().size(); j++) {
                     robot.setMotorSpeed(j, 4 * random.nextDouble() - 2);
                 }
             }

@@ -160,7 +160,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     private static float[] frame(Robot robot) {
         BodyPose torso = robot.torso();
         Rotation rotation = torso.rotation().toQuaternion();
-        float[] frame = new float[POSE_NUMBERS + robot.model().hinges().size()];
+        float[] frame = new float[POSE_NUMBERS + robot.nao().hinges().size()];
         frame[0] = (float) torso.position().x();
         frame[1] = (float) torso.position().y();
         frame[2] = (float) torso.position().z();

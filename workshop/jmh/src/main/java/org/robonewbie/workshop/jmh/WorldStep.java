@@ -92,7 +92,7 @@ public class WorldStep {
     }
 
     private void command(Robot robot) {
-        for (int hinge = 0; hinge < robot.model().hinges().size(); hinge++) {
+        for (int hinge = 0; hinge < robot.nao().hinges().size(); hinge++) {
             robot.setMotorSpeed(hinge, 6 * random.nextDouble() - 3);
         }
     }

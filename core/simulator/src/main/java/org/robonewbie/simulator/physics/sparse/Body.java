@@ -61,6 +61,7 @@ final class Body implements RigidBody, Restorable {
     private final double[] quaternion = {1, 0, 0, 0};
     private final UpdateSequence updates;
     private final List<CollisionShape> shapes = new ArrayList<>();
+    private final List<ShapeOffset> offsets = new ArrayList<>(0);
     private boolean asleep;
     private int rotationVersion;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
@@ -103,6 +104,18 @@ final class Body implements RigidBody, Restorable {
     void attach(CollisionShape shape) {
         shapes.add(shape);
         shape.moved(updates);
+    }
+
+    /** Attaches a shape whose pose follows the body. */
+    void attach(ShapeOffset offset) {
+        offsets.add(offset);
+        offset.follow(pose());
+    }
+
+    private void moveOffsets() {
+        for (int i = 0; i < offsets.size(); i++) {
+            offsets.get(i).follow(pose());
+        }
     }
 
     void removeContacts() {
@@ -181,6 +194,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     private void notifyShapes() {
+        moveOffsets();
         for (int i = 0; i < shapes.size(); i++) {
             shapes.get(i).moved(updates);
         }
@@ -334,5 +348,6 @@ final class Body implements RigidBody, Restorable {
         asleep = in.getBoolean();
         restingStepsLeft = in.getInt();
         rotationVersion++;
+        moveOffsets();
     }
 }

@@ -19,9 +19,9 @@ abstract class CollisionShape implements Restorable {
     final double[] min = new double[3];
     /** Maximum corner of the bounding box. */
     final double[] max = new double[3];
-    /** Centre; shared with the body, if any. */
+    /** Centre; shared with the body, if it is centred on one. */
     final double[] position;
-    /** Rotation matrix, row-major; shared with the body, if any. */
+    /** Rotation matrix, row-major; shared with the body, if it is centred on one. */
     final double[] rotation;
 
     private final OdeCollisions.Geometry odeGeometry;

@@ -51,16 +51,25 @@ final class SparseAssembly implements Assembly, Restorable {
     }
 
     @Override
-    public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
+    public Collider addCollider(RigidBody body, BodyPose pose, Shape shape, Material material, Object owner) {
         Body sparseBody = (Body) body;
         SparseCollider collider = new SparseCollider(
                 sparseBody, world.surfaces().indexOf(material), owner, removable ? contactLimit : null);
         OdeCollisions.Geometry odeGeometry = odeGeometries.add(shape, collider, true);
-        CollisionShape placed =
-                CollisionShape.of(shape, collider, sparseBody.centre(), sparseBody.rotation, odeGeometry);
+        CollisionShape placed = attached(sparseBody, pose, shape, collider, odeGeometry);
         sparseBody.attach(placed);
         currentGroup().add(placed);
         return collider;
+    }
+
+    private static CollisionShape attached(
+            Body body, BodyPose pose, Shape shape, SparseCollider collider, OdeCollisions.Geometry odeGeometry) {
+        if (pose.equals(BodyPose.ORIGIN)) {
+            return CollisionShape.of(shape, collider, body.centre(), body.rotation, odeGeometry);
+        }
+        ShapeOffset offset = new ShapeOffset(pose);
+        body.attach(offset);
+        return CollisionShape.of(shape, collider, offset.position, offset.rotation, odeGeometry);
     }
 
     @Override

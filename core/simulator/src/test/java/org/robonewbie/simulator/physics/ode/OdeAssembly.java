@@ -56,9 +56,14 @@ final class OdeAssembly implements Assembly {
     }
 
     @Override
-    public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
+    public Collider addCollider(RigidBody body, BodyPose pose, Shape shape, Material material, Object owner) {
         DGeom geometry = OdeCollisions.geometry(space, shape);
         geometry.setBody(((OdeBody) body).body());
+        if (!pose.equals(BodyPose.ORIGIN)) {
+            geometry.setOffsetPosition(
+                    pose.position().x(), pose.position().y(), pose.position().z());
+            geometry.setOffsetRotation(OdeVectors.to(pose.rotation()));
+        }
         return OdeCollider.solid(geometry, material, owner);
     }
 

@@ -9,6 +9,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.Assembly;
+import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.MotorHinge;
@@ -64,7 +65,7 @@ final class RandomScene {
     private void addBall() {
         Shape shape = new Shape.Sphere(0.042);
         RigidBody ball = world.scenery().addBody(MassDistribution.of(shape, 0.026), new Vector3(0, 0, 0.05));
-        world.scenery().addCollider(ball, shape, BOUNCING, "ball");
+        world.scenery().addCollider(ball, BodyPose.ORIGIN, shape, BOUNCING, "ball");
         bodies.add(ball);
     }
 
@@ -90,7 +91,7 @@ final class RandomScene {
             default -> new Shape.Capsule(between(0.01, 0.05), between(0.02, 0.1));
         };
         RigidBody body = assembly.addBody(MassDistribution.of(shape, between(0.05, 1.2)), place);
-        assembly.addCollider(body, shape, random.nextInt(4) == 0 ? BOUNCING : SOFT, "limb");
+        assembly.addCollider(body, BodyPose.ORIGIN, shape, random.nextInt(4) == 0 ? BOUNCING : SOFT, "limb");
         return body;
     }
 

@@ -159,9 +159,7 @@ class SparsePhysicsWorldTest {
         }
         for (int t = 0; t < cycles; t++) {
             for (Robot robot : world.robots()) {
-                for (int hinge = 0;
-                        t % 25 == 0 && hinge < robot.model().hinges().size();
-                        hinge++) {
+                for (int hinge = 0; t % 25 == 0 && hinge < robot.nao().hinges().size(); hinge++) {
                     robot.setMotorSpeed(hinge, 6 * random.nextDouble() - 3);
                 }
             }
@@ -169,7 +167,7 @@ class SparsePhysicsWorldTest {
         }
         List<BodyPose> poses = new ArrayList<>();
         for (Robot robot : world.robots()) {
-            for (int link = 0; link < robot.model().links().size(); link++) {
+            for (int link = 0; link < robot.nao().links().size(); link++) {
                 poses.add(robot.linkPose(link));
             }
         }
@@ -245,8 +243,8 @@ class SparsePhysicsWorldTest {
         Shape box = new Shape.Box(new Vector3(0.2, 0.2, 0.1));
         RigidBody foot = assembly.addBody(MassDistribution.of(box, 1), new Vector3(0, 0, 0.05));
         RigidBody head = assembly.addBody(MassDistribution.of(box, 0.2), new Vector3(0, 0, 0.2));
-        assembly.addCollider(foot, box, material, "foot");
-        assembly.addCollider(head, box, material, "head");
+        assembly.addCollider(foot, BodyPose.ORIGIN, box, material, "foot");
+        assembly.addCollider(head, BodyPose.ORIGIN, box, material, "head");
         return assembly.addHinge(
                 head, foot, new HingeDefinition(new Vector3(0, 0, 0.1), new Vector3(1, 0, 0), -1, 1, 10, 1));
     }
