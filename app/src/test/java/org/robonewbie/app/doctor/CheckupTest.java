@@ -29,7 +29,7 @@ class CheckupTest {
                         Checkup.of(false).findings().spliterator(), false)
                 .toList();
 
-        assertThat(findings).hasSize(12).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
+        assertThat(findings).hasSize(13).noneMatch(finding -> finding.verdict() == Verdict.BROKEN);
     }
 
     @Test

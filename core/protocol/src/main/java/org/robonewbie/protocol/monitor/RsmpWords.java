@@ -1,5 +1,6 @@
 package org.robonewbie.protocol.monitor;
 
+import org.robonewbie.nao.math.PortableMath;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.protocol.sexp.SexpReader;
@@ -62,7 +63,7 @@ final class RsmpWords {
 
     int integer(String meaning, int min, int max) throws MalformedMessageException {
         double number = number(meaning);
-        if (number != Math.rint(number) || number < min || number > max) {
+        if (number != PortableMath.rint(number) || number < min || number > max) {
             throw unexpected(meaning + ", a whole number from " + min + " to " + max);
         }
         return (int) number;

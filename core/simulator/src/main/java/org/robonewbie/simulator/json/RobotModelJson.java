@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.json;
 
+import org.robonewbie.nao.math.PortableMath;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -145,7 +146,7 @@ public final class RobotModelJson {
     }
 
     private static double rounded(double value) {
-        return Math.round(value * ROUNDING) / ROUNDING;
+        return PortableMath.round(value * ROUNDING) / ROUNDING;
     }
 
     /**
@@ -257,7 +258,7 @@ public final class RobotModelJson {
 
         private int link(JsonElement hinge, String name) {
             double index = number(hinge, name);
-            if (index != Math.rint(index) || index < 0 || index >= links.size()) {
+            if (index != PortableMath.rint(index) || index < 0 || index >= links.size()) {
                 throw new IllegalArgumentException("The model has no link " + index + ".");
             }
             return (int) index;
