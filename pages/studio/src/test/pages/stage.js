@@ -94,7 +94,9 @@ export function runCommand(folder, ...words) {
 /** Runs a Java program to its end, whatever its exit code is, and returns its standard output. */
 export async function runJava(folder, ...words) {
   const env = { ...process.env, ROBONEWBIE_PROGRESS: join(folder, 'progress.json') };
-  const { stdout } = await promisify(execFile)('java', [...JAVA, ...words], { cwd: folder, env }).catch((ended) => ended);
+  const { stdout } = await promisify(execFile)('java', [...JAVA, ...words], { cwd: folder, env }).catch(
+    (ended) => ended,
+  );
   return stdout;
 }
 

@@ -6,17 +6,11 @@ import { folderWith, runJava } from '../stage.js';
 import { slow } from '../tests.js';
 import { openStudio } from '../user.js';
 
-<<<<<<< HEAD
-=======
 /** Opens a recording in which the robot stands for two seconds, raises an arm and falls on its face. */
->>>>>>> h-robot
 async function openRecording(t) {
   const folder = await folderWith(t);
   await runJava(folder, 'org.robonewbie.studio.MadeUpRobotTest', 'tin man.rec');
   const files = { 'tin man.rec': await readFile(join(folder, 'tin man.rec')) };
-<<<<<<< HEAD
-  return openStudio(t, { room: 'replay/tin%20man', robots: [{}], files });
-=======
   return openStudio(t, { room: 'replay/tin%20man', robots: [{}], files, isSharp: true, width: 800, height: 600 });
 }
 
@@ -27,20 +21,10 @@ const placeOfNeck = (user) => user.page.evaluate(() => [...studio.view.robots.po
 async function isWhite(user, [x, y, z]) {
   const colours = await user.coloursAround(await user.pointOf(x, y, z), 1);
   return colours.every((colour) => Math.min(...colour) > 150);
->>>>>>> h-robot
 }
 
 slow('a robot of five joints is drawn standing, and lying after its fall', async (t) => {
   const { user } = await openRecording(t);
-<<<<<<< HEAD
-
-  await user.sees('tin man');
-  await user.until(() => user.page.evaluate(() => studio.view.robots.poses.length === 1 && studio.view.drawCalls > 0));
-  await user.page.screenshot({ path: '/tmp/robot/standing.png' });
-  console.log(await user.text());
-  console.log(await user.page.evaluate(() => [...studio.view.robots.poses[0]].map((x) => x.toFixed(2)).join(' ')));
-  assert.ok(true);
-=======
   await user.sees('0.00 of 4.98 s');
   await user.looks({});
   const standing = (await placeOfNeck(user)).with(2, 0.69);
@@ -54,5 +38,4 @@ slow('a robot of five joints is drawn standing, and lying after its fall', async
   assert.ok(lying[2] < 0.2, `the neck is ${lying[2]} m above the ground`);
   assert.ok(await isWhite(user, lying.with(0, lying[0] + 0.05)));
   assert.ok(!(await isWhite(user, standing)));
->>>>>>> h-robot
 });
