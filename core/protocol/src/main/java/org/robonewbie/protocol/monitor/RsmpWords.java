@@ -1,8 +1,8 @@
 package org.robonewbie.protocol.monitor;
 
-import org.robonewbie.nao.math.PortableMath;
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 

@@ -1,6 +1,5 @@
 package org.robonewbie.simulator.json;
 
-import org.robonewbie.nao.math.PortableMath;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -13,6 +12,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.robot.Motor;
 import org.robonewbie.robot.PlacedShape;

@@ -68,7 +68,7 @@ public final class LogConversion {
             Thread.currentThread().interrupt();
             return false;
         } catch (ExecutionException failed) {
-            throw failure(failed.getCause());
+            throw failure(failed);
         }
     }
 
@@ -77,7 +77,7 @@ public final class LogConversion {
         try {
             end.join();
         } catch (CompletionException failed) {
-            throw failure(failed.getCause());
+            throw failure(failed);
         }
     }
 
@@ -92,7 +92,7 @@ public final class LogConversion {
      * @param listener receives a sentence; not called if everything was understood
      */
     public void reportTo(Consumer<String> listener) {
-        end.whenComplete((remark, failure) -> {
+        var unused = end.whenComplete((remark, failure) -> {
             if (failure != null) {
                 listener.accept("The rest of the log cannot be read: " + failure.getMessage());
             } else {
@@ -101,7 +101,8 @@ public final class LogConversion {
         });
     }
 
-    private static IOException failure(Throwable cause) {
+    private static IOException failure(Exception failed) {
+        Throwable cause = Optional.<Throwable>ofNullable(failed.getCause()).orElse(failed);
         return new IOException("The log cannot be read completely: " + cause.getMessage(), cause);
     }
 }
