@@ -75,7 +75,7 @@ public final class LeaguePort implements MessagePort {
     }
 
     private static Optional<LearnedWalk> walkOf(RobotModel model) {
-        return model == BoosterT1.MODEL
+        return model.equals(BoosterT1.MODEL)
                 ? Optional.of(new LearnedWalk(PolicyFile.shipped("t1-walk"), model))
                 : Optional.empty();
     }

@@ -73,10 +73,7 @@ public final class RsmpWorld {
     public static boolean isRsmp(MessageBuffer message) {
         SexpReader reader = new SexpReader();
         reader.start(message);
-        return reader.next() == Token.OPEN
-                && reader.next() == Token.OPEN
-                && reader.next() == Token.ATOM
-                && reader.atomIs("RSMP");
+        return reader.next() == Token.OPEN && reader.nextList(1) && reader.atomIs("RSMP");
     }
 
     /**
@@ -94,7 +91,7 @@ public final class RsmpWorld {
             problem = Optional.empty();
         } catch (MalformedMessageException malformed) {
             current = false;
-            problem = Optional.of(new Problem(messages, malformed.getMessage()));
+            problem = Optional.of(new Problem(messages, String.valueOf(malformed.getMessage())));
         }
         return current;
     }

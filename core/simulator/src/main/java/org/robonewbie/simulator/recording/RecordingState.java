@@ -49,7 +49,8 @@ public final class RecordingState {
     private boolean begun;
     private boolean betweenCycles = true;
 
-    /** A record of kind {@link RecordingFormat#MODEL}. */
+    /** A record of kind {@link RecordingFormat#MODEL}; never compared. */
+    @SuppressWarnings("ArrayRecordComponent")
     private record ListedModel(int joints, String json, byte[] payload) {}
 
     /** A listener for the contents of a recording. */

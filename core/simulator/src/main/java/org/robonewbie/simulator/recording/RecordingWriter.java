@@ -38,7 +38,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, RobotTrack> robotTracks = new HashMap<>();
     private final ThingTrack things = new ThingTrack();
-    private final Map<RobotModel, Integer> models = new IdentityHashMap<>();
+    private final IdentityHashMap<RobotModel, Integer> models = new IdentityHashMap<>();
     private byte[] lastRobots = {};
     private double lastPlaySeconds;
 

@@ -256,7 +256,8 @@ public final class SoccerWorld implements Restorable {
 
     private void matchRobots(List<RobotModel> saved) {
         int same = 0;
-        while (same < Math.min(saved.size(), robots.size()) && robots.get(same).model() == saved.get(same)) {
+        while (same < Math.min(saved.size(), robots.size())
+                && robots.get(same).model().equals(saved.get(same))) {
             same++;
         }
         List.copyOf(robots.subList(same, robots.size())).forEach(this::removeRobot);
