@@ -87,10 +87,16 @@ export async function startJava(t, folder, ...words) {
  * @param {...string} words the command and its arguments
  * @returns {Promise<string>} its standard output
  */
-export async function runCommand(folder, ...words) {
+export function runCommand(folder, ...words) {
+  return runJava(folder, 'org.robonewbie.app.Main', ...words);
+}
+
+/** Runs a Java program to its end, whatever its exit code is, and returns its standard output. */
+export async function runJava(folder, ...words) {
   const env = { ...process.env, ROBONEWBIE_PROGRESS: join(folder, 'progress.json') };
-  const command = [...JAVA, 'org.robonewbie.app.Main', ...words];
-  const { stdout } = await promisify(execFile)('java', command, { cwd: folder, env }).catch((ended) => ended);
+  const { stdout } = await promisify(execFile)('java', [...JAVA, ...words], { cwd: folder, env }).catch(
+    (ended) => ended,
+  );
   return stdout;
 }
 
