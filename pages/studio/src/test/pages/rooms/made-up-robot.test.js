@@ -1,4 +1,4 @@
-/** The recording of a robot that only the test MadeUpRobotTest.java knows is drawn from its shapes. */
+/** The recording of a robot that is defined in MadeUpRobotTest.java only is drawn from its shapes. */
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';

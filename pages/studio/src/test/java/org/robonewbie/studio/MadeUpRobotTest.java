@@ -40,7 +40,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.Robot;
 
-/** A robot that only this file knows: it stands, moves and falls in the world, and is recorded, replayed and shown. */
+/** A robot that is defined in this file only stands, moves and falls in the world, and is recorded, replayed and shown. */
 class MadeUpRobotTest {
 
     private static final Vector3 Y = new Vector3(0, 1, 0);
@@ -183,6 +183,7 @@ class MadeUpRobotTest {
         record(Path.of(args[0]));
     }
 
+    @SuppressWarnings("ClosingStandardOutputStreams") // only the recording is closed
     private static RobotState record(Path file) throws IOException {
         try (SteppedSimulator simulator = simulator(RecordingFile.open(file, System.err::println))) {
             Robot robot = standing(simulator);
