@@ -10,45 +10,38 @@ from pathlib import Path
 
 import numpy as np
 
+from robonewbie import network
 from robonewbie.environment import EpisodeSeeds
+from robonewbie.network import ACTIVATIONS  # noqa: F401
 from robonewbie.simulator import RESET, SKIP, STEP, Connection
 from robonewbie.train import options_of
 
 # The seeds of training runs start at 10 million.
 FIRST_SEED = 1_000_000
 
-# The activations of a policy file.
-ACTIVATIONS = {
-    "tanh": np.tanh,
-    "cut": lambda x: np.clip(x, -1, 1),
-    "relu": lambda x: np.maximum(x, 0),
-    "elu": lambda x: np.where(x > 0, x, np.exp(np.minimum(x, 0)) - 1),
-    "silu": lambda x: x / (1 + np.exp(-x)),
-    "linear": lambda x: x,
-}
-
 
 class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
 
     def __init__(self, text):
-        self.inputs, self.cycles, self.layers = [], 1, []
-        lines = iter(text.splitlines())
-        for line in lines:
+        self.inputs, self.cycles, self.layers = [], 1, network.read(text)
+        for line in text.splitlines():
             words = line.split(" ")
             if words[0] == "input":
                 self.inputs.append(words[1])
             if words[:2] == ["numbers", "cycles-per-action"]:
                 self.cycles = int(words[2])
-            if words[0] == "layer":
-                rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(words[2]))])
-                self.layers.append((rows[:, 1:].T, rows[:, 0], words[3]))
+        self.reset()
+
+    def reset(self):
+        """Forgets all earlier observations, as at the start of an episode."""
+        self.states = [None] * len(self.layers)
 
     def act(self, observation):
-        """Returns a row of actions from -1 to 1 for each row of observations."""
+        """Returns a row of actions from -1 to 1 for each row of observations. A recurrent policy remembers each row's observations."""
         values = observation.astype(float)
-        for weights, bias, activation in self.layers:
-            values = ACTIVATIONS[activation](values @ weights + bias)
+        for i, layer in enumerate(self.layers):
+            values, self.states[i] = layer.apply(values, self.states[i])
         return values
 
 
@@ -77,6 +70,8 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
     seeds = EpisodeSeeds(episodes)
     seeds.begin(range(first_seed, first_seed + episodes))
     running = np.ones(episodes, dtype=bool)
+    if policy:
+        policy.reset()
     observation, _, _ = robots.act(RESET, seeds.draw(running), 0)
     returns, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
     success = robots.truth_names.index("is_success")

@@ -10,6 +10,7 @@ run can be interrupted at any time. The first layer of the policy normalises the
 
 import argparse
 import csv
+import dataclasses
 import math
 import os
 import pickle
@@ -20,11 +21,15 @@ from pathlib import Path
 
 import numpy as np
 
+from robonewbie import network
+from robonewbie.network import Dense, Gru, LayerNorm
+
 # Stable-Baselines3 seeds environment i with the seed plus i, so neighbouring seeds would share most of their episodes.
 SEEDS_APART = 10_000_000
 
 # The activations of policy files by the names of torch's modules.
-_ACTIVATIONS = {"Tanh": "tanh", "ReLU": "relu", "ELU": "elu", "SiLU": "silu", "Identity": "linear"}
+_ACTIVATIONS = {"Tanh": "tanh", "ReLU": "relu", "ELU": "elu", "SiLU": "silu", "Identity": "linear", "Hardtanh": "cut"}
+_MODULES = "Linear, LayerNorm, GRU (one layer, one direction), GRUCell"
 
 
 def fold(weights, bias, mean, variance, epsilon):
@@ -33,8 +38,9 @@ def fold(weights, bias, mean, variance, epsilon):
     return weights / deviation, bias - weights @ (mean / deviation)
 
 
-def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
-    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is a tuple of weights, biases and activation, such as "tanh".
+def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None, packed=False):
+    """Formats a policy for org.robonewbie.agent.policy.PolicyText. Layers come from :func:`torch_layers`; a tuple of weights, biases and
+    activation, such as "tanh", is a fully connected layer. Packed weights take a fifth of the space, and are rounded.
 
     If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
@@ -47,20 +53,7 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     lines += [f"input {name} {unit}" for name, unit in inputs]
     kind = "" if walk else "joint."
     lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
-    return "\n".join([*lines, *layer_lines(layers)]) + "\n"
-
-
-def layer_lines(layers):
-    """Returns the lines of layers in a policy file, with as many digits as float32 needs."""
-    lines = []
-    for weights, bias, activation in layers:
-        lines.append(f"layer {weights.shape[1]} {weights.shape[0]} {activation}")
-        lines += [" ".join(f"{float(str(number)):.9g}" for number in np.float32([b, *row])) for b, row in zip(bias, weights)]
-    return lines
-
-
-def _numbers(layer):
-    return layer.weight.detach().cpu().numpy().astype(float), layer.bias.detach().cpu().numpy().astype(float)
+    return "\n".join([*lines, *network.lines(layers, packed)]) + "\n"
 
 
 def layers_of(model, normalisation, inputs):
@@ -70,28 +63,53 @@ def layers_of(model, normalisation, inputs):
 
     :raises ValueError: if the network has a module that a policy file cannot express; it is named
     """
-    hidden = _layers_of(model.policy.mlp_extractor.policy_net)
-    last = (*_numbers(model.policy.action_net), "tanh" if model.policy.squash_output else "cut")
+    last = torch_layers([model.policy.action_net])[0]
+    last = Dense(last.weights, last.bias, "tanh" if model.policy.squash_output else "cut")
     moments, limit = normalisation.obs_rms, normalisation.clip_obs
     size = len(inputs)
     scale, offset = fold(np.identity(size) / limit, np.zeros(size), moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
-    weights, bias, activation = [*hidden, last][0]
-    return [(scale, offset, "cut"), (weights * limit, bias, activation), *[*hidden, last][1:]]
+    first, *others = [*torch_layers(model.policy.mlp_extractor.policy_net), last]
+    if isinstance(first, Dense):
+        scaled = [Dense(first.weights * limit, first.bias, first.activation)]
+    else:
+        scaled = [Dense(np.identity(size) * limit, np.zeros(size)), first]
+    return [Dense(scale, offset, "cut"), *scaled, *others]
 
 
-def _layers_of(network):
-    """Returns weights, biases and activation of the layers of a torch network, which must be a sequence."""
-    layers = []
-    for module in network:
+def torch_layers(modules):
+    """Returns the layers of torch modules for :func:`policy_text`: of an ``nn.Sequential``, or of a list in the order of evaluation.
+
+    Java resets what a GRU remembers at the start of an episode.
+
+    :raises ValueError: if a policy file cannot express a module; it is named
+    """
+    layers, free = [], False  # whether the last layer has no activation yet
+    for module in modules:
         kind = type(module).__name__
-        if kind == "Linear":
-            layers.append((*_numbers(module), "linear"))
-        elif kind in _ACTIVATIONS and layers and layers[-1][2] == "linear" and getattr(module, "alpha", 1) == 1:
-            layers[-1] = (*layers[-1][:2], _ACTIVATIONS[kind])
+        if kind in _ACTIVATIONS and free and getattr(module, "alpha", 1) == 1 and (kind != "Hardtanh" or (module.min_val, module.max_val) == (-1, 1)):
+            layers[-1] = dataclasses.replace(layers[-1], activation=_ACTIVATIONS[kind])
+            free = False
         else:
-            known = ", ".join(_ACTIVATIONS)
-            raise ValueError(f"A policy file cannot express {module}. Use layers of the kind Linear, each followed by one of {known}.")
+            layers.append(_layer_of(module, kind))
+            free = True
     return layers
+
+
+def _layer_of(module, kind):
+    def numbers(name, size):
+        parameter = getattr(module, name, None)
+        return np.zeros(size) if parameter is None or parameter is False else parameter.detach().cpu().numpy().astype(float)
+
+    if kind == "Linear":
+        return Dense(numbers("weight", 0), numbers("bias", module.out_features))
+    if kind == "LayerNorm" and len(module.normalized_shape) == 1:
+        size = module.normalized_shape[0]
+        return LayerNorm(numbers("weight", size) if module.elementwise_affine else np.ones(size), numbers("bias", size), module.eps)
+    if kind == "GRUCell" or (kind == "GRU" and module.num_layers == 1 and not module.bidirectional):
+        end, size = ("" if kind == "GRUCell" else "_l0"), 3 * module.hidden_size
+        return Gru(numbers("weight_ih" + end, 0), numbers("weight_hh" + end, 0), numbers("bias_ih" + end, size), numbers("bias_hh" + end, size))
+    known = ", ".join(_ACTIVATIONS)
+    raise ValueError(f"A policy file cannot express {module}. Use {_MODULES}, each followed by at most one of {known}.")
 
 
 def options_of(words):

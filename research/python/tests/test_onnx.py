@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from robonewbie import evaluate, train
+from robonewbie import evaluate, network, train
+from robonewbie.network import Dense, Gru, LayerNorm
 
 try:
     import onnx
@@ -80,7 +81,7 @@ class OnnxTest(unittest.TestCase):
             for last in ("tanh", "cut"):
                 with self.subTest(name, last=last):
                     layers = [(random.normal(size=(32, 12)) / 3, random.normal(size=32), name), (random.normal(size=(6, 32)) / 5, random.normal(size=6), last)]
-                    text = LIKE.partition("layer ")[0] + "\n".join(train.layer_lines(layers)) + "\n"
+                    text = LIKE.partition("layer ")[0] + "\n".join(network.lines(layers)) + "\n"
 
                     model = policies.to_onnx(text)
 
@@ -90,6 +91,51 @@ class OnnxTest(unittest.TestCase):
                         np.testing.assert_allclose(evaluate.PlayedPolicy(again).act(self.observation), run(model, self.observation), rtol=1e-4, atol=1e-6)
                     else:
                         self.assertEqual(again, text)
+
+    def test_layer_norm_and_gru_act_alike_step_by_step_and_return_unchanged(self):
+        random = np.random.default_rng(4)
+        layers = [
+            LayerNorm(random.normal(size=12), random.normal(size=12)),
+            Dense(random.normal(size=(16, 12)) / 3, random.normal(size=16)),
+            LayerNorm(random.normal(size=16), random.normal(size=16), 1e-3, "elu"),
+            Gru(random.normal(size=(24, 16)) / 3, random.normal(size=(24, 8)) / 3, random.normal(size=24), random.normal(size=24), "silu"),
+            Gru(random.normal(size=(21, 8)) / 3, random.normal(size=(21, 7)) / 3, random.normal(size=21), random.normal(size=21)),
+            Dense(random.normal(size=(6, 7)) / 3, random.normal(size=6), "tanh"),
+        ]
+        text = LIKE.partition("layer ")[0] + "\n".join(network.lines(layers)) + "\n"
+        model = policies.to_onnx(text)
+
+        session, policy = onnxruntime.InferenceSession(model.SerializeToString()), evaluate.PlayedPolicy(text)
+        states = {"state_3": np.zeros((1, 100, 8), np.float32), "state_4": np.zeros((1, 100, 7), np.float32)}
+        for observation in np.split(self.observation, 10):
+            action, *after = session.run(None, {"observation": observation, **states})
+            states = dict(zip(states, after))
+            np.testing.assert_allclose(policy.act(observation), action, rtol=1e-4, atol=1e-6)
+        self.assertEqual(policies.to_policy(model), text)
+
+    def test_gru_of_another_form_is_refused(self):
+        constants = {"w": np.zeros((1, 9, 12)), "r": np.zeros((1, 9, 3)), "m": np.ones((3, 6))}
+        nodes = [("GRU", ["x", "w", "r"], "h", {"hidden_size": 3}), ("MatMul", ["h", "m"], "s", {}), ("Tanh", ["s"], "y", {})]
+        with self.assertRaisesRegex(ValueError, r'"/h" \(GRU\): it must have one direction, linear_before_reset'):
+            policies.to_policy(model_of(nodes, constants), LIKE)
+
+    def test_packed_policy_of_200_000_numbers_is_small_and_acts_nearly_alike(self):
+        random = np.random.default_rng(5)
+        sizes = [12, 440, 440, 6]
+        layers = [
+            Dense(random.uniform(-1, 1, (b, a)) / np.sqrt(a), random.uniform(-1, 1, b) / np.sqrt(a), last)
+            for a, b, last in zip(sizes, sizes[1:], ("elu", "elu", "tanh"))
+        ]
+        head = LIKE.partition("layer ")[0]
+        exact, packed = (head + "\n".join(network.lines(layers, each)) + "\n" for each in (False, True))
+
+        count = sum(b * (a + 1) for a, b in zip(sizes, sizes[1:]))
+        self.assertGreater(count, 200_000)
+        self.assertLess(len(packed), 500_000)
+        wanted, found = (evaluate.PlayedPolicy(text).act(self.observation) for text in (exact, packed))
+        self.assertLess(np.abs(found - wanted).max(), 1e-4)
+        np.testing.assert_allclose(run(policies.to_onnx(packed), self.observation), found, rtol=1e-4, atol=1e-6)
+        self.assertLess(len(policies.to_policy(policies.to_onnx(exact), packed=True)), 500_000)
 
     def test_baselines_return_unchanged(self):
         files = sorted((ROOT / "research/python/baselines").glob("*.policy"))

@@ -1,7 +1,10 @@
 """Training by PPO and what it writes; the parts with Stable-Baselines3 are skipped where it is not installed."""
 
 import io
+import os
 import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -13,19 +16,21 @@ import numpy as np
 from robonewbie import baselines, curve, evaluate, train
 
 try:
+    import torch
+except ImportError:
+    torch = None
+
+try:
     import stable_baselines3
 except ImportError:
     stable_baselines3 = None
 
 
-def layers(text):
-    """Reads the layers of a policy."""
-    lines = iter(text.splitlines())
-    for line in lines:
-        if line.startswith("layer "):
-            _, _, outputs, activation = line.split()
-            rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(outputs))])
-            yield rows[:, 1:], rows[:, 0], evaluate.ACTIVATIONS[activation]
+def _cell(recurrent):
+    """Returns a cell with the parameters of a recurrent module."""
+    cell = torch.nn.GRUCell(recurrent.input_size, recurrent.hidden_size, bias=recurrent.bias)
+    cell.load_state_dict({name.removesuffix("_l0"): numbers for name, numbers in recurrent.state_dict().items()})
+    return cell
 
 
 class TrainTest(unittest.TestCase):
@@ -164,10 +169,8 @@ class TrainTest(unittest.TestCase):
             wanted, _ = training.model.predict(training.normalised.normalize_obs(raw), deterministic=True)
             training.task.close()
             self.assertEqual(raw[-1], 0)  # what only the critic takes: nothing of the episode is over
-            values = raw[:-1].astype(float)
-            for weights, bias, activation in layers(out.read_text(encoding="utf-8")):
-                values = activation(weights @ values + bias)
-            np.testing.assert_allclose(values, wanted, atol=2e-3)
+            values = evaluate.PlayedPolicy(out.read_text(encoding="utf-8")).act(raw[None, :-1])
+            np.testing.assert_allclose(values[0], wanted, atol=2e-3)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_policy_file_computes_what_the_network_computes_whatever_its_activations(self):
@@ -198,6 +201,40 @@ class TrainTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"A policy file cannot express {named}"):
                 train.layers_of(model, robots, np.arange(size))
         robots.close()
+
+    @unittest.skipUnless(torch, "torch is not installed")
+    def test_torch_modules_become_layers_that_act_alike_step_by_step(self):
+        from torch import nn
+
+        torch.manual_seed(1)
+        for recurrent in (nn.GRU(16, 8, batch_first=True), nn.GRUCell(16, 8), nn.GRU(16, 8, bias=False)):
+            before = nn.Sequential(nn.LayerNorm(5), nn.Linear(5, 16), nn.LayerNorm(16, eps=1e-3, bias=False), nn.ELU())
+            after = nn.Sequential(nn.SiLU(), nn.Linear(8, 3, bias=False), nn.Hardtanh())
+            text = train.policy_text("Stand", [], [], [], 30, train.torch_layers([*before, recurrent, *after]))
+            policy, state = evaluate.PlayedPolicy(text), torch.zeros(100, 8)
+            for observation in torch.randn(10, 100, 5):
+                with torch.no_grad():
+                    hidden = before(observation)
+                    state = recurrent(hidden, state) if isinstance(recurrent, nn.GRUCell) else nn.GRUCell.forward(_cell(recurrent), hidden, state)
+                    wanted = after(state)
+                np.testing.assert_allclose(policy.act(observation.numpy()), wanted.numpy(), rtol=1e-4, atol=1e-6)
+        for module in (nn.LSTM(3, 4), nn.GRU(3, 4, num_layers=2), nn.LayerNorm((2, 3)), nn.Hardtanh(-2, 2)):
+            with self.assertRaisesRegex(ValueError, f"A policy file cannot express {type(module).__name__}"):
+                train.torch_layers([nn.Linear(3, 3), module])
+
+    @unittest.skipUnless(torch, "torch is not installed")
+    def test_policy_of_plain_torch_plays_in_java(self):
+        examples = Path(__file__).parents[1] / "examples"
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, str(examples / "imitate.py")], cwd=folder, check=True)
+            words = [os.environ.get("ROBONEWBIE", str(examples.parents[2] / "robonewbie")), "run", str(examples / "Imitator.java"), "--headless", "--fast", "--seconds", "3"]
+            told = subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True).stdout
+
+        angles = [[float(word) for word in line.split()[1:]] for line in told.splitlines() if line.startswith("Head")]
+        self.assertGreater(len(angles), 50)
+        for wanted, found in angles:
+            self.assertAlmostEqual(found, wanted, delta=2)
+        self.assertGreater(max(found for _, found in angles), 20)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_critic_sees_how_much_of_the_episode_is_over(self):

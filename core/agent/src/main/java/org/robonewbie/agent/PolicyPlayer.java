@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
+import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.MotionGuide;
-import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.nao.Joint;
@@ -37,7 +37,7 @@ public final class PolicyPlayer {
     private static final String COMMAND = "command.";
     private static final String RANGE = "range-degrees";
 
-    private final Network network;
+    private final InferenceSession session;
     private final List<ToDoubleFunction<Robot>> inputs;
     private final List<Joint> joints;
     private final double rangeDegrees;
@@ -58,7 +58,7 @@ public final class PolicyPlayer {
      * @throws IllegalArgumentException if an input is not a sensor of the robot or an output is not a joint
      */
     public PolicyPlayer(Policy policy) {
-        network = policy.network();
+        session = policy.network().session();
         motion = Optional.ofNullable(policy.numbers().get(MotionGuide.MOTION))
                 .map(numbers -> MotionGuide.motion(
                         policy.task(),
@@ -124,12 +124,13 @@ public final class PolicyPlayer {
         if (!acting) {
             first = posture(robot);
             guide = motion.map(one -> new MotionGuide(one, first));
+            session.reset();
             acting = true;
             cycles = 0;
         }
         if (cycles % cyclesPerAction == 0) {
             guide.ifPresent(one -> progress = one.progress(cycles));
-            action = network.apply(inputs.stream()
+            action = session.apply(inputs.stream()
                     .mapToDouble(input -> input.applyAsDouble(robot))
                     .toArray());
         }

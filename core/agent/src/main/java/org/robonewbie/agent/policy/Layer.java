@@ -1,110 +1,71 @@
 package org.robonewbie.agent.policy;
 
 import java.util.Arrays;
-import java.util.Locale;
-import java.util.stream.Collectors;
-import org.robonewbie.nao.math.PortableMath;
 
-/**
- * Fully connected layer of a neural network: each output is the activation of a weighted sum of all inputs and a bias.
- *
- * @param inputs number of inputs
- * @param outputs number of outputs
- * @param activation applied to each sum
- * @param numbers parameters: for each output, its bias and then the weight of each input
- */
-@SuppressWarnings("ArrayRecordComponent")
-record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
+/** Layer of a neural network. Its parameters are a table, as in a policy's text. */
+sealed interface Layer permits DenseLayer, LayerNormalization, GruLayer {
 
-    /** Activation function. */
-    enum Activation {
-        /** Hyperbolic tangent: between -1 and 1. */
-        TANH {
-            @Override
-            double of(double sum) {
-                return 1 - 2 / (PortableMath.exp(2 * sum) + 1);
-            }
-        },
-        /** Clipping to the range from -1 to 1. */
-        CUT {
-            @Override
-            double of(double sum) {
-                return Math.max(-1, Math.min(1, sum));
-            }
-        },
-        /** Rectified linear unit: 0 for negative sums. */
-        RELU {
-            @Override
-            double of(double sum) {
-                return Math.max(0, sum);
-            }
-        },
-        /** Exponential linear unit: approaches -1 for negative sums. */
-        ELU {
-            @Override
-            double of(double sum) {
-                return sum > 0 ? sum : PortableMath.exp(sum) - 1;
-            }
-        },
-        /** Sigmoid linear unit, also called swish. */
-        SILU {
-            @Override
-            double of(double sum) {
-                return sum / (1 + PortableMath.exp(-sum));
-            }
-        },
-        /** No activation: the sum. */
-        LINEAR {
-            @Override
-            double of(double sum) {
-                return sum;
-            }
-        };
+    /** Returns the number of inputs. */
+    int inputs();
 
-        abstract double of(double sum);
+    /** Returns the number of outputs. */
+    int outputs();
 
-        /** Returns whether all values lie between -1 and 1, which the outputs of a policy need. */
-        boolean isBounded() {
-            return this == TANH || this == CUT;
-        }
+    /** Returns the activation function, which is applied to each output. */
+    Activation activation();
 
-        /** Returns the names of all activation functions in a policy's text. */
-        static String names() {
-            return Arrays.stream(values()).map(Activation::toString).collect(Collectors.joining(", "));
-        }
+    /** Returns the parameters, row by row. */
+    double[] numbers();
 
-        @Override
-        public String toString() {
-            return name().toLowerCase(Locale.ROOT);
+    /** Returns the shape of the table of parameters. */
+    Table table();
+
+    /** Returns the words that follow the activation in a policy's text. */
+    String kind();
+
+    /** Returns how many numbers the layer remembers from one input to the next. */
+    default int stateSize() {
+        return 0;
+    }
+
+    /**
+     * Evaluates the layer.
+     *
+     * @param input values of the inputs
+     * @param state what the layer remembers, which is replaced
+     * @param output receives the outputs
+     */
+    void apply(double[] input, double[] state, double[] output);
+
+    /** Returns a row of the parameters. */
+    default double[] row(int index) {
+        int columns = table().columns();
+        return Arrays.copyOfRange(numbers(), index * columns, (index + 1) * columns);
+    }
+
+    /** Checks the number of parameters. */
+    static void requireSize(Table table, double... numbers) {
+        if (numbers.length != table.size()) {
+            throw new IllegalArgumentException("A layer of " + table.rows() + " rows of " + table.columns()
+                    + " numbers needs " + table.size() + " numbers, not " + numbers.length + ".");
         }
     }
 
-    Layer {
-        numbers = numbers.clone();
-        if (numbers.length != size(inputs, outputs)) {
-            throw new IllegalArgumentException("A layer with " + inputs + " inputs and " + outputs + " outputs needs "
-                    + size(inputs, outputs) + " numbers, not " + numbers.length + ".");
+    /**
+     * Shape of a table of parameters.
+     *
+     * @param rows number of rows
+     * @param biases number of columns with biases, which precede the weights
+     * @param weights number of columns with weights
+     */
+    record Table(int rows, int biases, int weights) {
+
+        int columns() {
+            return biases + weights;
         }
-    }
 
-    static int size(int inputs, int outputs) {
-        return outputs * (inputs + 1);
-    }
-
-    double[] apply(double... input) {
-        double[] output = new double[outputs];
-        for (int i = 0; i < outputs; i++) {
-            int first = i * (inputs + 1);
-            double sum = numbers[first];
-            for (int j = 0; j < inputs; j++) {
-                sum += numbers[first + 1 + j] * input[j];
-            }
-            output[i] = activation.of(sum);
+        int size() {
+            return rows * columns();
         }
-        return output;
-    }
-
-    double[] row(int output) {
-        return Arrays.copyOfRange(numbers, output * (inputs + 1), (output + 1) * (inputs + 1));
     }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * Small feed-forward neural network. Equal parameters and inputs yield equal outputs on every platform.
+ * Small neural network. It never changes: what a recurrent layer remembers is in an {@link InferenceSession}. Equal parameters and inputs yield equal outputs on every platform.
  *
  * <pre>{@code
  * Network network = Network.of(new int[] {2, 8, 1}, numbers);
@@ -46,8 +46,8 @@ public final class Network {
         List<Layer> layers = new ArrayList<>();
         int from = 0;
         for (int i = 1; i < sizes.length; i++) {
-            int to = from + Layer.size(sizes[i - 1], sizes[i]);
-            layers.add(new Layer(sizes[i - 1], sizes[i], Layer.Activation.TANH, Arrays.copyOfRange(numbers, from, to)));
+            int to = from + DenseLayer.table(sizes[i - 1], sizes[i]).size();
+            layers.add(new DenseLayer(sizes[i - 1], sizes[i], Activation.TANH, Arrays.copyOfRange(numbers, from, to)));
             from = to;
         }
         return new Network(layers);
@@ -62,7 +62,7 @@ public final class Network {
     public static int size(int... sizes) {
         int size = 0;
         for (int i = 1; i < sizes.length; i++) {
-            size += Layer.size(sizes[i - 1], sizes[i]);
+            size += DenseLayer.table(sizes[i - 1], sizes[i]).size();
         }
         return size;
     }
@@ -89,16 +89,22 @@ public final class Network {
     }
 
     /**
-     * Evaluates the network.
+     * Evaluates the network. Recurrent layers remember nothing; use a {@link #session} to evaluate them step by step.
      *
      * @param input values of the inputs
      * @return the outputs, each from -1 to 1
      */
     public double[] apply(double... input) {
-        double[] values = input;
-        for (Layer layer : layers) {
-            values = layer.apply(values);
-        }
-        return values;
+        return session().apply(input);
+    }
+
+    /** {@return a new session, which remembers nothing yet} */
+    public InferenceSession session() {
+        return new InferenceSession(layers);
+    }
+
+    /** {@return whether the network remembers earlier inputs} */
+    public boolean isRecurrent() {
+        return layers.stream().anyMatch(layer -> layer.stateSize() > 0);
     }
 }

@@ -3,8 +3,8 @@ package org.robonewbie.agent.policy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -24,6 +24,23 @@ import java.util.stream.Collectors;
  * <p>A {@code layer} statement contains the numbers of inputs and outputs, and is followed by one line for each output:
  * its bias and the weights of all inputs. The activation function is {@code tanh}, {@code cut} (which clips to the range from
  * -1 to 1), {@code relu}, {@code elu}, {@code silu} or {@code linear}. That of the last layer is {@code tanh} or {@code cut}.
+ *
+ * <p>Other kinds of layers are named after the activation. {@code layer 64 64 elu layer-norm 1e-05} is a layer normalisation with
+ * the given epsilon; each of its lines contains a bias and a factor. {@code layer 12 64 linear gru} is a gated recurrent unit with
+ * three lines for each output: first those of all reset gates, then those of all update gates, then those of all candidates. Each
+ * line contains the bias of the inputs, the bias of the last outputs, the weights of all inputs and those of all last outputs.
+ *
+ * <p>A layer may be packed: {@code layer 64 64 elu packed 40} is followed by 40 lines of text in base 85 (RFC 1924), which together
+ * contain a zlib stream of these bytes, in little-endian order:
+ *
+ * <ol>
+ *   <li>for each column of weights, a signed byte <i>e</i>
+ *   <li>for each row, its biases and a step <i>s</i>, as float32
+ *   <li>for each weight, row by row, the lowest byte of an integer; then all middle bytes, then all highest bytes. The lowest bit of
+ *       the integer is its sign (zigzag encoding).
+ * </ol>
+ *
+ * <p>The weight is <i>s</i> · 2<sup><i>e</i></sup> times the signed integer.
  */
 public final class PolicyText {
 
@@ -31,6 +48,9 @@ public final class PolicyText {
     private static final String REMARK = "#";
     private static final int WORDS = 3;
     private static final int MAX_LAYER_WIDTH = 1024;
+    private static final int MAX_NUMBERS = 4_000_000;
+    private static final int MAX_SHOWN = 60;
+    private static final String PACKED = "packed";
 
     private String task = "";
     private final List<String> about = new ArrayList<>();
@@ -38,8 +58,13 @@ public final class PolicyText {
     private final List<Quantity> inputs = new ArrayList<>();
     private final List<Quantity> outputs = new ArrayList<>();
     private final List<Layer> layers = new ArrayList<>();
+    private int total;
+    private Header header = new Header(0, 0, Activation.LINEAR, Optional.empty(), false);
     private double[] weights = {};
+    private int filled;
     private int missing;
+    private final StringBuilder packed = new StringBuilder();
+    private int missingPacked;
 
     private PolicyText() {}
 
@@ -58,12 +83,16 @@ public final class PolicyText {
                 reader.read(lines[i].trim(), i == 0);
             } catch (RuntimeException wrong) {
                 throw new IllegalArgumentException(
-                        "Line " + (i + 1) + " of the policy cannot be read: \"" + lines[i] + "\". "
+                        "Line " + (i + 1) + " of the policy cannot be read: \"" + shortened(lines[i]) + "\". "
                                 + wrong.getMessage(),
                         wrong);
             }
         }
         return reader.policy();
+    }
+
+    private static String shortened(String line) {
+        return line.length() <= MAX_SHOWN ? line : line.substring(0, MAX_SHOWN) + "…";
     }
 
     private void read(String line, boolean first) {
@@ -72,6 +101,8 @@ public final class PolicyText {
                 throw new IllegalArgumentException("A policy begins with \"" + HEAD + "\" and the name of its task.");
             }
             task = line.substring(HEAD.length());
+        } else if (missingPacked > 0) {
+            readPacked(line);
         } else if (line.startsWith(REMARK)) {
             about.add(line.substring(REMARK.length()).trim());
         } else if (missing > 0 && !line.isEmpty()) {
@@ -93,58 +124,148 @@ public final class PolicyText {
                         Arrays.stream(numbers(words[2].split("\\s+"))).boxed().toList());
             case "input" -> inputs.add(new Quantity(words[1], words[2]));
             case "output" -> outputs.add(new Quantity(words[1], words[2]));
-            case "layer" -> beginLayer(Integer.parseInt(words[1]), words[2].split("\\s+"));
+            case "layer" -> beginLayer(integer(words[1]), words[2].split("\\s+"));
             default -> throw new IllegalArgumentException("Known statements: numbers, input, output, layer.");
         }
     }
 
     private void beginLayer(int from, String... rest) {
-        int to = Integer.parseInt(rest[0]);
+        int to = integer(rest[0]);
         if (rest.length < 2 || from < 1 || from > MAX_LAYER_WIDTH || to < 1 || to > MAX_LAYER_WIDTH) {
             throw new IllegalArgumentException("A layer has 1 to " + MAX_LAYER_WIDTH
                     + " inputs and outputs, followed by its activation, such as \"layer 12 6 tanh\".");
         }
-        layers.add(new Layer(from, to, activation(rest[1]), new double[Layer.size(from, to)]));
-        weights = new double[0];
-        missing = to;
+        List<String> kind = new ArrayList<>(List.of(rest).subList(2, rest.length));
+        int lines =
+                kind.size() > 1 && kind.get(kind.size() - 2).equals(PACKED) ? integer(kind.get(kind.size() - 1)) : 0;
+        if (lines > 0) {
+            kind.subList(kind.size() - 2, kind.size()).clear();
+        }
+        header = Header.of(from, to, Activation.named(rest[1]), kind);
+        Layer.Table table = header.table();
+        if (table.size() > MAX_NUMBERS - total) {
+            throw new IllegalArgumentException(
+                    "The policy would have more than " + MAX_NUMBERS + " weights. Use fewer or smaller layers.");
+        }
+        total += table.size();
+        missingPacked = lines;
+        packed.setLength(0);
+        missing = lines > 0 ? 0 : table.rows();
+        weights = lines > 0 ? new double[0] : new double[table.size()];
+        filled = 0;
     }
 
-    private static Layer.Activation activation(String word) {
-        return Arrays.stream(Layer.Activation.values())
-                .filter(activation -> activation.toString().equalsIgnoreCase(word))
-                .findFirst()
-                .orElseThrow(
-                        () -> new IllegalArgumentException("Known activations: " + Layer.Activation.names() + "."));
+    /**
+     * First line of a layer.
+     *
+     * @param inputs number of inputs
+     * @param outputs number of outputs
+     * @param activation activation function
+     * @param epsilon epsilon of a layer normalisation
+     * @param recurrent whether the layer is a gated recurrent unit
+     */
+    private record Header(int inputs, int outputs, Activation activation, Optional<Double> epsilon, boolean recurrent) {
+
+        static Header of(int inputs, int outputs, Activation activation, List<String> kind) {
+            if (kind.isEmpty()) {
+                return new Header(inputs, outputs, activation, Optional.empty(), false);
+            }
+            if (kind.equals(List.of(GruLayer.NAME))) {
+                return new Header(inputs, outputs, activation, Optional.empty(), true);
+            }
+            if (kind.size() == 2 && kind.get(0).equals(LayerNormalization.NAME) && inputs == outputs) {
+                double epsilon = numbers(kind.get(1))[0];
+                if (epsilon > 0) {
+                    return new Header(inputs, outputs, activation, Optional.of(epsilon), false);
+                }
+            }
+            throw new IllegalArgumentException("\"" + String.join(" ", kind)
+                    + "\" is unknown. After the activation may stand \"gru\" or, if there are as many inputs as outputs,"
+                    + " \"layer-norm 1e-05\" with a positive epsilon; then \"packed\" and a number of lines.");
+        }
+
+        Layer.Table table() {
+            if (recurrent) {
+                return GruLayer.table(inputs, outputs);
+            }
+            return epsilon.isPresent() ? LayerNormalization.table(outputs) : DenseLayer.table(inputs, outputs);
+        }
+
+        Layer layer(double... numbers) {
+            if (recurrent) {
+                return new GruLayer(inputs, outputs, activation, numbers);
+            }
+            return epsilon.isPresent()
+                    ? new LayerNormalization(outputs, epsilon.get(), activation, numbers)
+                    : new DenseLayer(inputs, outputs, activation, numbers);
+        }
     }
 
     private void readRow(double... row) {
-        Layer layer = layers.get(layers.size() - 1);
-        if (row.length != layer.inputs() + 1) {
+        Layer.Table table = header.table();
+        if (row.length != table.columns()) {
+            String biases = table.biases() == 1 ? "A bias and " : "2 biases and ";
             throw new IllegalArgumentException(
-                    "A bias and " + layer.inputs() + " weights are needed, not " + row.length + " numbers.");
+                    (header.epsilon().isPresent() ? "A bias and a factor" : biases + table.weights() + " weights")
+                            + " are needed, not " + row.length + " numbers.");
         }
-        int before = weights.length;
-        weights = Arrays.copyOf(weights, before + row.length);
-        System.arraycopy(row, 0, weights, before, row.length);
+        System.arraycopy(row, 0, weights, filled, row.length);
+        filled += row.length;
         missing--;
         if (missing == 0) {
-            layers.set(layers.size() - 1, new Layer(layer.inputs(), layer.outputs(), layer.activation(), weights));
+            layers.add(header.layer(weights));
+        }
+    }
+
+    private void readPacked(String line) {
+        packed.append(line);
+        missingPacked--;
+        if (missingPacked == 0) {
+            try {
+                weights = PackedWeights.unpack(packed, header.table());
+            } catch (IllegalArgumentException damaged) {
+                throw new IllegalArgumentException(
+                        damaged.getMessage() + " Write the policy again, and copy the file as a whole.", damaged);
+            }
+            requireFinite(weights);
+            layers.add(header.layer(weights));
+        }
+    }
+
+    private static int integer(String word) {
+        try {
+            return Integer.parseInt(word);
+        } catch (NumberFormatException wrong) {
+            throw new IllegalArgumentException("\"" + shortened(word) + "\" is not a whole number.", wrong);
+        }
+    }
+
+    private static double number(String word) {
+        try {
+            return Double.parseDouble(word);
+        } catch (NumberFormatException wrong) {
+            throw new IllegalArgumentException(
+                    "\"" + shortened(word) + "\" is not a number. Write numbers such as -0.25 or 1e-3.", wrong);
         }
     }
 
     private static double[] numbers(String... words) {
-        double[] numbers = Arrays.stream(words).mapToDouble(Double::parseDouble).toArray();
-        if (!Double.isFinite(Arrays.stream(numbers).sum())) {
-            throw new IllegalArgumentException("All numbers must be finite.");
-        }
+        double[] numbers = Arrays.stream(words).mapToDouble(PolicyText::number).toArray();
+        requireFinite(numbers);
         return numbers;
     }
 
+    private static void requireFinite(double... numbers) {
+        if (!Double.isFinite(Arrays.stream(numbers).sum())) {
+            throw new IllegalArgumentException("All numbers must be finite.");
+        }
+    }
+
     private Policy policy() {
-        if (layers.isEmpty() || missing > 0) {
+        if (layers.isEmpty() || missing > 0 || missingPacked > 0) {
             throw new IllegalArgumentException("The policy \"" + task + "\" is incomplete.");
         }
-        Layer.Activation last = layers.get(layers.size() - 1).activation();
+        Activation last = layers.get(layers.size() - 1).activation();
         if (!last.isBounded()) {
             throw new IllegalArgumentException("The last layer of the policy \"" + task + "\" has the activation "
                     + last + ", but its outputs must lie between -1 and 1: use tanh or cut.");
@@ -156,7 +277,7 @@ public final class PolicyText {
      * Formats a policy.
      *
      * @param policy the policy
-     * @return text that {@link #parse} accepts, with six significant digits for each number
+     * @return text that {@link #parse} accepts, with the same numbers
      */
     public static String format(Policy policy) {
         List<String> lines = new ArrayList<>();
@@ -166,8 +287,9 @@ public final class PolicyText {
         policy.inputs().forEach(input -> lines.add("input " + input.name() + " " + input.unit()));
         policy.outputs().forEach(output -> lines.add("output " + output.name() + " " + output.unit()));
         for (Layer layer : policy.network().layers()) {
-            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + layer.activation());
-            for (int i = 0; i < layer.outputs(); i++) {
+            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + layer.activation()
+                    + (layer.kind().isEmpty() ? "" : " " + layer.kind()));
+            for (int i = 0; i < layer.table().rows(); i++) {
                 lines.add(words(Arrays.stream(layer.row(i)).boxed().toList()));
             }
         }
@@ -178,7 +300,7 @@ public final class PolicyText {
         return numbers.stream()
                 .map(number -> number == Math.floor(number) && Math.abs(number) < 1e6
                         ? String.valueOf(number.intValue())
-                        : String.format(Locale.ROOT, "%.6g", number))
+                        : String.valueOf(number))
                 .collect(Collectors.joining(" "));
     }
 }

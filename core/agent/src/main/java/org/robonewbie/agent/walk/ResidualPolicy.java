@@ -3,6 +3,7 @@ package org.robonewbie.agent.walk;
 import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.agent.perception.FootPressure;
+import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.nao.Joint;
@@ -66,6 +67,12 @@ public record ResidualPolicy(Network network) implements WalkReflex {
     @Override
     public Posture corrected(Posture planned, WalkMoment moment) {
         return corrected(planned, moment, network.apply(inputs(moment)));
+    }
+
+    @Override
+    public WalkReflex forEngine() {
+        InferenceSession session = network.session();
+        return (planned, moment) -> corrected(planned, moment, session.apply(inputs(moment)));
     }
 
     /**

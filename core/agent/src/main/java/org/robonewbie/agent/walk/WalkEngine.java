@@ -88,7 +88,7 @@ public final class WalkEngine {
      */
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
-        this.reflex = reflex;
+        this.reflex = reflex.forEngine();
         this.torso = TorsoPosture.of(style.gait(), 0);
         this.step = stepTo(left, torso);
     }

@@ -17,4 +17,9 @@ public interface WalkReflex {
      * @return the corrected posture
      */
     Posture corrected(Posture planned, WalkMoment moment);
+
+    /** {@return the reflex for one engine, which remembers nothing yet} */
+    default WalkReflex forEngine() {
+        return this;
+    }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.learning.policy;
 
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.learning.environment.ObservedQuantity;
@@ -25,12 +26,13 @@ record Rollout(int cycles, double reward, boolean fallen, boolean success, Veloc
                 .mapToInt(input -> index(environment, input))
                 .toArray();
         environment.reset(seed, Optional.of(policy));
+        InferenceSession session = policy.network().session();
         double reward = 0;
         while (!environment.isTerminated() && !environment.isTruncated()) {
             double[] observation = environment.observation();
             double[] inputs =
                     IntStream.of(indices).mapToDouble(i -> observation[i]).toArray();
-            environment.step(policy.network().apply(inputs));
+            environment.step(session.apply(inputs));
             reward += environment.reward();
         }
         return new Rollout(

@@ -1,0 +1,3 @@
+/** Policies from other tools. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.app.policy;
