@@ -74,6 +74,8 @@ class SimulatedTask:
         self.observation_names = [entry["name"] for entry in self.description["observation"]]
         self.observation_units = [entry["unit"] for entry in self.description["observation"]]
         self.action_names = self.description["action"]
+        self.true_state_names = [entry["name"] for entry in self.description["trueState"]]
+        self.true_state_units = [entry["unit"] for entry in self.description["trueState"]]
         self._set_cycles(options)
         self.studio_address = self._show() if render_mode == "human" else None
         return spaces_of(self.description)
@@ -144,10 +146,11 @@ class VectorizedTask(SimulatedTask):
 
     def _true_state(self):
         truth = self._connection.truth
-        return {
+        state = {
             name: values.astype(bool) if name in ("fallen", "is_success") else values
             for name, values in zip(self._connection.truth_names, truth.T)
         }
+        return {**state, "true_state": self._connection.true_state} if self.true_state_names else state
 
     def _reset_episodes(self, selected, seeds):
         """Begins an episode for each robot that a boolean mask selects; returns the observations of all robots."""
@@ -168,13 +171,15 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
     ``x``, ``y``, ``ball_x``, ``ball_y`` (metres), ``heading`` (degrees), ``push`` (increase in newtons from one push to the next, with one
     push per second), ``delay`` (cycles until an action takes effect), ``cycles`` (per action; default: 1), ``noise`` (standard deviation of
-    additional noise in joint angles, gyroscope and accelerometer), ``friction`` and ``mass`` (relative to the default) and, for ``Follow``
-    and similar tasks, ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each option is a number, or a pair (low, high) from which each
+    additional noise in joint angles, gyroscope and accelerometer), ``friction``, ``sole_friction`` and ``mass`` (relative to the default),
+    ``strength`` (relative torque limit, drawn for each joint), ``com_forward`` and ``com_left`` (metres by which the torso's weight is
+    displaced), ``jitter`` (random delay of each action, in cycles) and, for ``Follow`` and similar tasks, ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each option is a number, or a pair (low, high) from which each
     episode draws. ``reset(options={...})`` changes only the next episode.
 
     ``render_mode="human"`` opens the studio, in which the robot moves in real time and can be paused.
 
-    ``info`` contains the true state. To customise a task, override ``observation``, ``reward`` and ``termination``:
+    ``info`` contains the most important quantities of the true state. With ``true_state=True``, ``info["true_state"]`` is a vector of all of
+    them, for asymmetric critics and rewards: ``true_state_names`` and ``true_state_units`` describe it. To customise a task, override ``observation``, ``reward`` and ``termination``:
 
     >>> class Crouch(RoboNewbieEnv):
     ...     def reward(self, reward: float, info: dict[str, Any]) -> float:
@@ -230,7 +235,7 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         return _in_shape(self.observation(observation, info), self.observation_space)
 
     def _info(self):
-        info = {name: float(value) for name, value in zip(self._connection.truth_names, self._connection.truth[0])}
+        info = self._connection.infos()[0]
         for name in ("fallen", "is_success"):
             info[name] = bool(info[name])
         return info

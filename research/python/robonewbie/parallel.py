@@ -71,8 +71,7 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
         return dict(zip(self.possible_agents, values))
 
     def _infos(self):
-        names = self._connection.truth_names
-        return self._each([dict(zip(names, row)) for row in self._connection.truth.tolist()])
+        return self._each(self._connection.infos())
 
 
 def parallel_env(task="Match1v1", **keywords):

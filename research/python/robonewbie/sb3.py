@@ -88,7 +88,7 @@ class VecEnv(_VecEnv, VectorizedTask):
         self._next = self._episodes.draw(every)
         self._returns[:] = 0
         self._steps[:] = 0
-        self.reset_infos = self._infos()
+        self.reset_infos = self._connection.infos()
         return observation
 
     def step_async(self, actions):
@@ -99,7 +99,7 @@ class VecEnv(_VecEnv, VectorizedTask):
         what = STEP if self._two_requests else STEP_AND_RESET
         observation, reward, terminated = self._connection.act(what, seeds, self._actions)
         truncated = self._connection.state == TRUNCATED
-        infos = self._infos()
+        infos = self._connection.infos()
         self._steps += 1
         if self._two_requests:
             truth = self._true_state()
@@ -126,10 +126,6 @@ class VecEnv(_VecEnv, VectorizedTask):
     def _statistics(self, i):
         seconds = round(time.perf_counter() - self._began, 6)
         return {"r": float(self._returns[i]), "l": int(self._steps[i]), "t": seconds}
-
-    def _infos(self):
-        names = self._connection.truth_names
-        return [dict(zip(names, row)) for row in self._connection.truth.tolist()]
 
     def close(self):
         self._connection.close()

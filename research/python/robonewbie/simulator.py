@@ -215,10 +215,12 @@ class Connection:
                 ("observation", "<f4", (quantities,)),
                 ("reward", "<f8"),
                 ("truth", "<f8", (len(self.truth_names),)),
+                ("true_state", "<f4", (len(self.description["trueState"]),)),
                 ("state", "u1"),
             ]
         )
         self.truth = np.zeros((rows, len(self.truth_names)))
+        self.true_state = np.zeros((rows, len(self.description["trueState"])), dtype=np.float32)
         self.state = np.zeros(rows, dtype=np.uint8)
         self.fresh = np.zeros((0, quantities), dtype=np.float32)
 
@@ -232,10 +234,18 @@ class Connection:
         self._requests["action"] = actions
         reply = self._ask(b"A" + self._requests.tobytes())
         answer = np.frombuffer(reply, dtype=self._answer, count=len(self._requests))
-        self.truth, self.state = answer["truth"], answer["state"]
+        self.truth, self.true_state, self.state = answer["truth"], answer["true_state"], answer["state"]
         fresh = np.frombuffer(reply, dtype="<f4", offset=len(self._requests) * self._answer.itemsize)
         self.fresh = fresh.reshape(-1, self._answer["observation"].shape[0])
         return answer["observation"].copy(), answer["reward"].copy(), self.state == TERMINATED
+
+    def infos(self):
+        """Returns a dictionary of the true state for each robot; with the option ``true_state``, it contains the complete vector."""
+        infos = [dict(zip(self.truth_names, row)) for row in self.truth.tolist()]
+        if self.description["trueState"]:
+            for info, row in zip(infos, self.true_state):
+                info["true_state"] = row.copy()
+        return infos
 
     def change(self, options):
         """Sets the options for all following episodes."""

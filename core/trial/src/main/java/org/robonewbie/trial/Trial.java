@@ -254,7 +254,7 @@ public final class Trial implements AutoCloseable {
         Iterator<Controller> all = each(scene, controllers);
         world.reset(seed);
         setGrip(1);
-        bodies.forEach(body -> body.robot().setMassFactor(1));
+        bodies.forEach(body -> body.robot().restoreProperties());
         hook = trial -> {};
         cycles = 0;
         for (int i = 0; i < bodies.size(); i++) {

@@ -111,6 +111,13 @@ public interface RigidBody {
      */
     void setMassFactor(double factor);
 
+    /**
+     * Scales the grip of the surface of this body. The factor is not part of a saved state.
+     *
+     * @param factor above 0; at 0.5 the body slips twice as fast as at 1 under the same force
+     */
+    void setGrip(double factor);
+
     /** {@return whether the body is asleep, so that steps skip it} */
     boolean isAsleep();
 

@@ -184,6 +184,26 @@ public final class Robot {
         return jointDegrees(nao().hingeIndex(joint));
     }
 
+    /**
+     * Returns the speed of a joint.
+     *
+     * @param joint the joint
+     * @return degrees per second, without noise
+     */
+    public double jointDegreesPerSecond(Joint joint) {
+        return PortableMath.toDegrees(hinges.get(model.hingeIndex(joint)).radiansPerSecond());
+    }
+
+    /**
+     * Returns the torque that the motor and the stop of a joint exerted in the last step.
+     *
+     * @param joint the joint
+     * @return newton metres; a positive torque increases the angle
+     */
+    public double jointTorque(Joint joint) {
+        return hinges.get(model.hingeIndex(joint)).torque();
+    }
+
     /** {@return the torso's pose in the world frame} */
     public BodyPose torso() {
         return links.get(0).pose();
@@ -288,6 +308,16 @@ public final class Robot {
     }
 
     /**
+     * Applies an external torque to the torso in the next step.
+     *
+     * @param newtonMetres torque in the world frame
+     */
+    public void twist(Vector3 newtonMetres) {
+        bodies.get(0).wake();
+        bodies.get(0).addTorque(newtonMetres);
+    }
+
+    /**
      * Translates the robot and stops all motion. Does not wake it.
      *
      * @param position new position of the torso in the world frame, metres
@@ -359,6 +389,37 @@ public final class Robot {
      */
     public void setMassFactor(double factor) {
         bodies.forEach(body -> body.setMassFactor(factor));
+    }
+
+    /** {@return the mass of the torso in kilograms, without the factor of {@link #setMassFactor}} */
+    public double torsoMass() {
+        return model.links().get(0).massKg();
+    }
+
+    /**
+     * Scales the maximum torque of a motor. The factor is not part of a saved state.
+     *
+     * @param joint the joint
+     * @param factor multiple of {@link #MAX_TORQUE}, above 0
+     */
+    public void setStrength(Joint joint, double factor) {
+        hinges.get(model.hingeIndex(joint)).setMaxTorque(factor * MAX_TORQUE);
+    }
+
+    /**
+     * Scales the grip of the soles. The factor is not part of a saved state.
+     *
+     * @param factor above 0; at 0.5 the soles slip twice as fast as at 1 under the same force
+     */
+    public void setSoleGrip(double factor) {
+        plates.forEach(plate -> bodies.get(plate.link()).setGrip(factor));
+    }
+
+    /** Restores the robot type's mass, strength and grip. */
+    public void restoreProperties() {
+        setMassFactor(1);
+        setSoleGrip(1);
+        hinges.forEach(hinge -> hinge.setMaxTorque(MAX_TORQUE));
     }
 
     /** Wakes a sleeping robot. */

@@ -47,6 +47,14 @@ class MotorTest {
     }
 
     @Test
+    void measuresItsSpeed() {
+        robot.setMotorSpeed(Joint.LEFT_KNEE_PITCH, -1);
+        step(5);
+
+        assertThat(robot.jointDegreesPerSecond(Joint.LEFT_KNEE_PITCH)).isCloseTo(-Math.toDegrees(1), within(0.1));
+    }
+
+    @Test
     void isCutToItsGreatestSpeed() {
         robot.setMotorSpeed(Joint.RIGHT_SHOULDER_PITCH, 100);
         step(10);

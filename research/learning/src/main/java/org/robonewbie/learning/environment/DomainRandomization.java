@@ -66,7 +66,13 @@ public final class DomainRandomization {
         TOLERANCE("in gait tasks: velocity error at which the reward is 0, m/s", 0.01, MAX),
         CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
         TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4, true),
-        SECONDS("in gait tasks: duration of an episode, seconds (9)", 0.02, MAX);
+        SECONDS("in gait tasks: duration of an episode, seconds (9)", 0.02, MAX),
+        STRENGTH("factor for the maximum torque of the motors (1), drawn for each joint", 0.01, 100),
+        SOLE_FRICTION("factor for the friction of the soles (1)", 0.01, 100),
+        COM_FORWARD("displacement of the torso's weight from its centre, metres", -0.2, 0.2),
+        COM_LEFT(COM_FORWARD.meaning, -0.2, 0.2),
+        JITTER("largest additional delay of an action in cycles, drawn for each cycle", 0, 1000, true),
+        TRUE_STATE("1: answers also contain trueState", 0, 1, true);
 
         private final String meaning;
         private final double min;
@@ -131,9 +137,9 @@ public final class DomainRandomization {
                 throw new IllegalArgumentException(
                         "The option " + name.word() + "=" + text + " is not a whole number. Use one, such as 2.");
             }
-            if (name == Name.CYCLES && low != high) {
+            if ((name == Name.CYCLES || name == Name.TRUE_STATE) && low != high) {
                 throw new IllegalArgumentException("The option " + name.word() + "=" + text
-                        + " is a range, but all actions last equally long. Use a single number.");
+                        + " is a range, but all actions and episodes have the same. Use a single number.");
             }
             if (low < name.min || high > name.max) {
                 throw new IllegalArgumentException("The option " + name.word() + "=" + text + " is not between "
@@ -189,14 +195,14 @@ public final class DomainRandomization {
      * Draws the options of an episode, independently of the task's own random numbers.
      *
      * @param seed the seed of the episode
-     * @return options without ranges
+     * @return options without ranges, except the strength, of which each joint draws its own
      */
     public DomainRandomization draw(long seed) {
         RandomSource random = new RandomSource(~seed);
         Map<Name, Range> drawn = new EnumMap<>(Name.class);
         ranges.forEach((name, range) -> {
             double value = range.draw(random);
-            drawn.put(name, new Range(value, value));
+            drawn.put(name, name == Name.STRENGTH ? range : new Range(value, value));
         });
         return new DomainRandomization(drawn);
     }
@@ -205,12 +211,9 @@ public final class DomainRandomization {
         return Arrays.stream(names).anyMatch(ranges::containsKey);
     }
 
-    /** Applies the options for friction, mass and positions to an episode. Call before {@link TrainingTask#begin}. */
+    /** Applies the options for friction and positions to an episode. Call before {@link TrainingTask#begin}. */
     void apply(Trial trial) {
         trial.setGrip(of(Name.FRICTION, 1));
-        for (int i = 0; i < trial.now().robots().size(); i++) {
-            trial.robot(i).setMassFactor(of(Name.MASS, 1));
-        }
         WorldState now = trial.now();
         if (isAnySet(Name.X, Name.Y, Name.HEADING)) {
             Pose2d pose = now.place();

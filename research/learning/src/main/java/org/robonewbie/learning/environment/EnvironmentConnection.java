@@ -164,6 +164,7 @@ final class EnvironmentConnection {
         all.add("observation", GSON.toJsonTree(environment.quantities()));
         all.add("action", GSON.toJsonTree(actions));
         all.add("truth", GSON.toJsonTree(PrivilegedState.NAMES));
+        all.add("trueState", GSON.toJsonTree(environment.hasTrueState() ? TrueState.QUANTITIES : List.of()));
         all.add("robots", GSON.toJsonTree(environment.names()));
         return all;
     }

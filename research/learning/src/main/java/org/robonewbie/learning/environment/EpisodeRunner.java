@@ -1,10 +1,8 @@
 package org.robonewbie.learning.environment;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.Random;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
@@ -48,7 +46,7 @@ final class EpisodeRunner implements Controller {
     private Optional<MotionGuide> guide = Optional.empty();
     private Optional<WalkGuide> walk = Optional.empty();
     private int cycles;
-    private final Queue<double[]> delayed = new ArrayDeque<>();
+    private ActionLatency latency = new ActionLatency(0, 0, new Random(0));
     private double[] action = {};
     private double value;
     private double reward;
@@ -91,17 +89,18 @@ final class EpisodeRunner implements Controller {
     void begin(WorldState first, SensorReadings readings, DomainRandomization options, long seed) {
         noise = new Random(31 * ~(seed + task.robot()) + 5);
         noiseSigma = options.of(Name.NOISE, 0);
-        for (int i = 0; i < Math.round(options.of(Name.DELAY, 0)); i++) {
-            delayed.add(new double[task.joints().size()]);
-        }
+        latency = new ActionLatency(
+                (int) Math.round(options.of(Name.DELAY, 0)),
+                (int) Math.round(options.of(Name.JITTER, 0)),
+                new Random(31 * ~(seed + task.robot()) + 13),
+                new double[task.joints().size()]);
         see(first, readings);
         reward = 0;
     }
 
     /** Sets the action of the next cycle. Its components are clamped to [-1, 1]. */
     void act(double... newAction) {
-        delayed.add(newAction);
-        action = delayed.remove();
+        action = latency.send(newAction);
     }
 
     /** Sets the reward to 0 before an action. */

@@ -118,11 +118,13 @@ public final class TrainingEnvironment implements AutoCloseable {
         WorldState first = trial.now();
         runners.forEach(runner -> runner.captureFirstPosture(first));
         drawn.apply(trial);
+        TrialHook body = BodyRandomization.apply(trial, drawn, seed);
         drawn.command().ifPresent(task::setCommand);
         drawn.range(Name.DISTANCE).ifPresent(distance -> task.setDistance(distance.low()));
         task.begin(trial);
         TrialHook pushes = task.pushes(drawn.of(Name.PUSH, task.pushNewtons()), seed);
         trial.with(world -> {
+            body.act(world);
             pushes.act(world);
             task.act(world);
         });
@@ -137,6 +139,10 @@ public final class TrainingEnvironment implements AutoCloseable {
      * @param newOptions the options
      */
     public void setOptions(DomainRandomization newOptions) {
+        if (newOptions.of(Name.TRUE_STATE, 0) != options.of(Name.TRUE_STATE, 0)) {
+            throw new IllegalArgumentException(
+                    "The option true_state cannot be changed later. Pass it when the environment is made.");
+        }
         options = newOptions;
     }
 
@@ -202,6 +208,16 @@ public final class TrainingEnvironment implements AutoCloseable {
     double[] privilegedState(int robot) {
         return PrivilegedState.of(
                 now, trial.robot(robot).torsoVelocity(), runners.get(robot).task());
+    }
+
+    /** {@return whether the option {@code true_state} is set} */
+    boolean hasTrueState() {
+        return options.of(Name.TRUE_STATE, 0) > 0;
+    }
+
+    /** Returns the complete true state of a robot, in the order of {@link TrueState#QUANTITIES}. */
+    float[] trueState(int robot) {
+        return TrueState.of(trial.robot(runners.get(robot).task().robot()), trial.ball());
     }
 
     /** {@return the reward of the first robot for the last action} */

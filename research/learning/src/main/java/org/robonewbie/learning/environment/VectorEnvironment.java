@@ -28,6 +28,7 @@ final class VectorEnvironment implements AutoCloseable {
     private final int requestBytes;
     private final int answerBytes;
     private final int observationBytes;
+    private final boolean trueState;
 
     private VectorEnvironment(List<TrainingEnvironment> environments) {
         this.environments = environments;
@@ -36,7 +37,11 @@ final class VectorEnvironment implements AutoCloseable {
         actions = any ? environments.get(0).task().joints().size() : 0;
         requestBytes = BYTES_BEFORE_ACTION + Float.BYTES * actions;
         observationBytes = any ? Float.BYTES * environments.get(0).quantities().size() : 0;
-        answerBytes = observationBytes + Double.BYTES * (1 + PrivilegedState.NAMES.size()) + 1;
+        trueState = any && environments.get(0).hasTrueState();
+        answerBytes = observationBytes
+                + Double.BYTES * (1 + PrivilegedState.NAMES.size())
+                + (trueState ? Float.BYTES * TrueState.QUANTITIES.size() : 0)
+                + 1;
     }
 
     static VectorEnvironment of(int count, Supplier<TrainingEnvironment> environments) {
@@ -145,6 +150,11 @@ final class VectorEnvironment implements AutoCloseable {
             states.putDouble(environment.reward(robot));
             for (double number : environment.privilegedState(robot)) {
                 states.putDouble(number);
+            }
+            if (trueState) {
+                for (float number : environment.trueState(robot)) {
+                    states.putFloat(number);
+                }
             }
             states.put(environment.isTerminated() ? TERMINATED : environment.isTruncated() ? TRUNCATED : RUNNING);
         }

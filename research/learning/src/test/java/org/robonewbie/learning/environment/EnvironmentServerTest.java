@@ -100,9 +100,10 @@ class EnvironmentServerTest {
                 .isNegative();
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". Available: ");
         assertThat(text(make("Reach\nvelocity=9", 1)))
-                .isEqualTo("\1There is no option \"velocity\". Available: reward, x, y, heading, ball_x, ball_y, push,"
-                        + " delay, cycles, noise, friction, mass, forward, left, turn, distance, speed, step,"
-                        + " slow, tolerance, constant, type, seconds.");
+                .isEqualTo(
+                        "\1There is no option \"velocity\". Available: reward, x, y, heading, ball_x, ball_y, push,"
+                                + " delay, cycles, noise, friction, mass, forward, left, turn, distance, speed, step,"
+                                + " slow, tolerance, constant, type, seconds, strength, sole_friction, com_forward, com_left, jitter, true_state.");
     }
 
     @Test

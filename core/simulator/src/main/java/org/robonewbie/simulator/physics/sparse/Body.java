@@ -47,6 +47,9 @@ final class Body implements RigidBody, Restorable {
     /** Whether the body has already been added to an island in this step. */
     boolean visited;
 
+    /** Grip of the surface, as a multiple of the grip of its material. */
+    double grip = 1;
+
     private final MassDistribution nominal;
     private double mass;
     private final double[] inertia = new double[3];
@@ -80,6 +83,11 @@ final class Body implements RigidBody, Restorable {
         mass = factor * nominal.massKg();
         inverseMass = 1 / mass;
         set(inertia, nominal.inertia().times(factor));
+    }
+
+    @Override
+    public void setGrip(double factor) {
+        grip = factor;
     }
 
     double[] centre() {

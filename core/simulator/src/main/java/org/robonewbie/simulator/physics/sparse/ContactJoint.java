@@ -66,12 +66,13 @@ final class ContactJoint extends ConstraintJoint {
 
     @Override
     void writeRows(ConstraintRows rows, double rate) {
+        double slip = surface.slip() / (second == null ? first.grip : first.grip * second.grip);
         for (int i = 0; i < count; i++) {
-            writeRows(rows, firstRow + ROWS_PER_POINT * i, points[i].geometry, rate);
+            writeRows(rows, firstRow + ROWS_PER_POINT * i, points[i].geometry, rate, slip);
         }
     }
 
-    private void writeRows(ConstraintRows rows, int row, double[] geometry, double rate) {
+    private void writeRows(ConstraintRows rows, int row, double[] geometry, double rate, double slip) {
         for (int axis = 0; axis < 3; axis++) {
             directions[axis] = sign * geometry[3 + axis];
         }
@@ -83,8 +84,8 @@ final class ContactJoint extends ConstraintJoint {
         double approach = surface.bounces() ? -separationSpeed(rows, row) : 0;
         rows.rightHandSide[row] = Math.max(rate * surface.errorReduction() * depth, surface.reboundSpeed(approach));
         rows.softness[row] = surface.softness();
-        rows.softness[row + 1] = surface.slip();
-        rows.softness[row + 2] = surface.slip();
+        rows.softness[row + 1] = slip;
+        rows.softness[row + 2] = slip;
         rows.lower[row] = 0;
     }
 

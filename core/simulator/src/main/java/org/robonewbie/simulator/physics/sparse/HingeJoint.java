@@ -32,7 +32,12 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
      */
     private final double[] fixed = new double[16];
 
+    private double maxTorque;
     private double motorSpeed;
+    /** Motor torque that is applied as an external torque while the angle is at a stop. */
+    private double appliedTorque;
+
+    private double torque;
     private double angle;
     private int childVersion = -1;
     private int parentVersion = -1;
@@ -42,6 +47,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         this.child = child;
         this.parent = parent;
         this.definition = definition;
+        this.maxTorque = definition.maxTorque();
         double[] anchor = {
             definition.anchor().x(),
             definition.anchor().y(),
@@ -68,6 +74,24 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     @Override
     public void setSpeed(double radiansPerSecond) {
         motorSpeed = radiansPerSecond;
+    }
+
+    @Override
+    public void setMaxTorque(double newtonMetres) {
+        maxTorque = newtonMetres;
+    }
+
+    @Override
+    public double torque() {
+        return torque;
+    }
+
+    @Override
+    public double radiansPerSecond() {
+        double x = Rotations.dot(child.rotation, 0, fixed, AXIS_ON_CHILD);
+        double y = Rotations.dot(child.rotation, 3, fixed, AXIS_ON_CHILD);
+        double z = Rotations.dot(child.rotation, 6, fixed, AXIS_ON_CHILD);
+        return Rotations.dot(x, y, z, child.velocity, 3) - Rotations.dot(x, y, z, parent.velocity, 3);
     }
 
     @Override
@@ -120,8 +144,9 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
             writeStop(rows, rate, radians - definition.maxRadians(), -1);
         } else {
             rows.rightHandSide[row] = motorSpeed;
-            rows.lower[row] = -definition.maxTorque();
-            rows.upper[row] = definition.maxTorque();
+            rows.lower[row] = -maxTorque;
+            rows.upper[row] = maxTorque;
+            appliedTorque = 0;
         }
     }
 
@@ -215,20 +240,25 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
      */
     private void applyMotorTorque(double[] jacobian, int inwards) {
         boolean forwards = motorSpeed > 0 || (motorSpeed == 0 && inwards < 0);
-        double torque = forwards ? definition.maxTorque() : -definition.maxTorque();
+        appliedTorque = forwards ? maxTorque : -maxTorque;
         if (motorSpeed * inwards > 0) {
-            torque *= HingeDefinition.FUDGE_FACTOR;
+            appliedTorque *= HingeDefinition.FUDGE_FACTOR;
         }
         int axis = axisIndex();
         for (int i = 0; i < 3; i++) {
-            child.force[3 + i] += torque * jacobian[axis + i];
-            parent.force[3 + i] -= torque * jacobian[axis + i];
+            child.force[3 + i] += appliedTorque * jacobian[axis + i];
+            parent.force[3 + i] -= appliedTorque * jacobian[axis + i];
         }
     }
 
     private double hingeSpeed(double[] jacobian) {
         int axis = axisIndex();
         return Rotations.dot(child.velocity, 3, jacobian, axis) - Rotations.dot(parent.velocity, 3, jacobian, axis);
+    }
+
+    @Override
+    void readForces(ConstraintRows rows) {
+        torque = rows.force[firstRow + 5] + appliedTorque;
     }
 
     @Override

@@ -117,6 +117,11 @@ final class OdeBody implements RigidBody {
     }
 
     @Override
+    public void setGrip(double factor) {
+        throw new UnsupportedOperationException();
+    }
+
+    @Override
     public boolean isAsleep() {
         return !body.isEnabled();
     }

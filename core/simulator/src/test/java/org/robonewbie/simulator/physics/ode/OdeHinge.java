@@ -37,6 +37,21 @@ final class OdeHinge implements MotorHinge {
     }
 
     @Override
+    public double radiansPerSecond() {
+        return joint.getAngleRate();
+    }
+
+    @Override
+    public double torque() {
+        throw new UnsupportedOperationException();
+    }
+
+    @Override
+    public void setMaxTorque(double newtonMetres) {
+        joint.setParam(PARAM_N.dParamFMax1, newtonMetres);
+    }
+
+    @Override
     public double angleRadians() {
         return joint.getAngle();
     }
