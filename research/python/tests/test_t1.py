@@ -17,7 +17,7 @@ if INSTALLED:
 if LEARNING:
     import torch
 
-    from robonewbie.t1 import environment
+    from robonewbie.t1 import environment, mirror
     from robonewbie.t1.environment import Variation, WalkingRobots
     from robonewbie.t1.policy import Policy, policy_text
     from robonewbie.t1.training import Training
@@ -135,8 +135,8 @@ class EnvironmentTest(unittest.TestCase):
 
     def test_mirrored_actions_give_mirrored_observations(self):
         robots = [self._robots(1, 1, Variation.none(1), command=(0.2, side * 0.1, side * 10), restart=False) for side in (1, -1)]
-        indices, signs = environment.mirror_of_observation()
-        action_indices, action_signs = environment.mirror_of_action()
+        indices, signs = mirror.mirror_of_observation()
+        action_indices, action_signs = mirror.mirror_of_action()
         random = np.random.default_rng(3)
         for one in robots:
             one.reset()
@@ -173,6 +173,10 @@ class TrainingTest(unittest.TestCase):
             clipped = observed.clip(-robot.OBSERVATION_LIMIT, robot.OBSERVATION_LIMIT)
             wanted, _ = again.model.predict(clipped, deterministic=True)
             np.testing.assert_allclose(Policy(out.read_text("utf-8"))(observed), wanted, atol=1e-3)
+            indices, signs = mirror.mirror_of_observation()
+            action_indices, action_signs = mirror.mirror_of_action()
+            mirrored, _ = again.model.predict(clipped[:, indices] * signs, deterministic=True)
+            np.testing.assert_allclose(mirrored, wanted[:, action_indices] * action_signs, atol=1e-5)
             self.assertEqual(policy_text(again.model, []).count("\ninput "), environment.INPUTS)
             self.assertTrue(out.with_name("walk.policy.csv").exists())
 

@@ -4,7 +4,7 @@
     python -m robonewbie.t1 evaluate t1-walk.policy              measure it on seeds that training does not use
     python -m robonewbie.t1 play t1-walk.policy --server HOST:PORT    walk on a running RCSSServerMJ
 
-``pip install "robonewbie[sb3,mujoco,league]"`` installs what it needs; ``play`` needs numpy only.
+``pip install "robonewbie[sb3,mujoco,league]"`` installs what it needs; ``play`` needs numpy and gymnasium only.
 
 How a policy is played, which :mod:`robonewbie.t1.player` does in 40 lines:
 
@@ -26,7 +26,7 @@ How a policy is played, which :mod:`robonewbie.t1.player` does in 40 lines:
 **Every second cycle** (``cycles-per-action``), beginning with the first:
 
 1. Limit the wanted command (forward, left in m/s, turn to the left in degrees/s) as ``WalkVelocity.within`` does, and move the command, (0, 0, 0) at first,
-   towards it by at most (0.05, 0.025, 3.75) per action, as ``WalkVelocity.towards`` does.
+   towards it by at most (0.05, 0.025, 3.75) per action, as ``WalkVelocity.towards`` does. The part to the left must be 0: training leaves it out, because the robot fell instead of learning it.
 2. Advance the gait clock, which has a phase n and an amplitude A, both 0 at first::
 
        if A > 0:  n = (n + 1) modulo actions-per-stride,  else  n = 0
@@ -53,5 +53,5 @@ How a policy is played, which :mod:`robonewbie.t1.player` does in 40 lines:
        -L - F S,   Y S,   T S,   2 L,   0.7 F S - L,   -Y S
 
 A walk begins from the stance: raise the robot from any posture by moving the targets from the measured angles to the stance within 0.8 s, and
-wait 0.7 s more. Motors' delays of 0 to 2 cycles were varied in training.
+wait 0.7 s more. Motors' delays of 0 to 2 cycles are varied in training.
 """

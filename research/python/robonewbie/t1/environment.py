@@ -20,7 +20,7 @@ STEPS = robot.STEPS_PER_CYCLE * robot.CYCLES_PER_ACTION
 FALLEN_HEIGHT = 0.45  # of the torso
 FALLEN_COSINE = 0.5
 INPUTS = len(robot.INPUTS)
-PRIVILEGED = 11  # quantities that only the critic observes
+PRIVILEGED = 11  # quantities that only the critic observes, see mirror.py
 
 
 @dataclass(frozen=True)
@@ -34,6 +34,7 @@ class Variation:
     head_degrees: float = 50
     start_speed: float = 0.3  # m/s
     standing: float = 0.25  # share of commands
+    sideways: float = 0.0  # share of commands that may have a part to the left or right
 
     def eased(self, share):
         """Returns ranges for the beginning of the training, when all that makes walking hard is multiplied by a share up to 1."""
@@ -146,7 +147,7 @@ class WalkingRobots(VecEnv):
         count, random = len(which), self._random
         drawn = random.uniform(0.2, 1, (count, 3)) * robot.MAX_COMMAND * random.choice([-1, 1], (count, 3), p=[0.4, 0.6])
         drawn *= random.uniform(size=(count, 3)) < 0.6  # so that each component is often used alone
-        drawn[random.uniform(size=count) < 0.3] *= [1, 0, 0]
+        drawn[random.uniform(size=count) >= self.variation.sideways, 1] = 0
         drawn *= (random.uniform(size=count) > self.variation.standing)[:, None]
         drawn = robot.limited(drawn)
         self.wanted[which] = drawn if self._fixed is None else self._fixed
@@ -279,10 +280,10 @@ class WalkingRobots(VecEnv):
         error = np.linalg.norm((self.mean_velocity - self.command) / robot.MAX_COMMAND, axis=1)
         wanted = np.linalg.norm(self.command / robot.MAX_COMMAND, axis=1)
         reward = 0.4 + 3 * np.maximum(-0.5, 1 - error / np.maximum(wanted, 0.5)) + np.exp(-((error / 0.25) ** 2))
-        reward -= 3 * (self.true_up() ** 2).sum(axis=1) + 0.05 * (self.rotation[:, :2] ** 2).sum(axis=1)
+        reward -= 20 * (self.true_up() ** 2).sum(axis=1) + 0.05 * (self.rotation[:, :2] ** 2).sum(axis=1)
         reward -= 0.02 * ((action - self.previous) ** 2).sum(axis=1) + 0.01 * (action**2).sum(axis=1)
         sideways = action.reshape(-1, 2, 6)[:, :, 1:3]  # roll and yaw of the hips
-        reward -= 0.03 * (sideways**2).sum(axis=(1, 2))
+        reward -= 0.2 * (sideways**2).sum(axis=(1, 2))
         return 0.1 * (reward + self._reward_of_steps())
 
     def _reward_of_steps(self):
@@ -307,28 +308,3 @@ class WalkingRobots(VecEnv):
             self.delay[:, None] - 1,
         ]
         return np.concatenate([inputs, np.clip(np.concatenate(privileged, axis=1), -5, 5)], axis=1).astype(np.float32)
-
-
-def _legs_swapped(first):
-    return [*range(first + 6, first + 12), *range(first, first + 6)], [1, -1, -1, 1, 1, -1] * 2
-
-
-def mirror_of_action():
-    """Returns indices and signs: ``action[:, indices] * signs`` is the action of the mirrored robot."""
-    indices, signs = _legs_swapped(0)
-    return np.array(indices), np.array(signs, np.float32)
-
-
-def mirror_of_observation():
-    """Returns indices and signs: ``observation[:, indices] * signs`` is what the mirrored robot observes."""
-    indices, signs = list(range(5)), [1, -1, -1, 1, -1]  # up, gyro
-    for first in (5, 17, 29):
-        swapped = _legs_swapped(first)
-        indices += swapped[0]
-        signs += swapped[1]
-    indices += range(41, 46)
-    signs += [1, -1, -1, -1, -1]  # command, gait
-    critic = [0, 1, 2, 3, 4, 5, 7, 6, 8, 9, 10]
-    indices += [INPUTS + i for i in critic]
-    signs += [1, -1, -1, 1, -1, *[1] * 6]
-    return np.array(indices), np.array(signs, np.float32)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..train import _layers_of, _numbers, layer_lines
-from . import robot
+from . import mirror, robot
 
 DIGITS = 5
 _ACTIVATIONS = {"tanh": np.tanh, "cut": lambda sums: np.clip(sums, -1, 1), "linear": lambda sums: sums}
@@ -35,13 +35,26 @@ def policy_text(model, about):
 
 
 def _layers(model):
+    """Returns the layers of the symmetric actor as those of one network, in which each hidden layer is there twice."""
     policy = model.policy
-    hidden = _layers_of(policy.mlp_extractor.policy_net)
-    layers = [*hidden, (*_numbers(policy.action_net), "cut")]
+    first, *others = _layers_of(policy.mlp_extractor.policy_net)
     limit, count = robot.OBSERVATION_LIMIT, len(robot.INPUTS)
-    weights, bias, activation = layers[0]
-    layers = [(np.identity(count) / limit, np.zeros(count), "cut"), (weights * limit, bias, activation), *layers[1:]]
+    swapped = _matrix(*mirror.mirror_of_observation())[:count, :count]
+    layers = [(np.identity(count) / limit, np.zeros(count), "cut")]
+    weights, bias, activation = first
+    layers.append((np.concatenate([weights, weights @ swapped]) * limit, np.tile(bias, 2), activation))
+    for weights, bias, activation in others:
+        zeros = np.zeros_like(weights)
+        layers.append((np.block([[weights, zeros], [zeros, weights]]), np.tile(bias, 2), activation))
+    weights, bias = _numbers(policy.action_net.linear)
+    swapped = _matrix(*mirror.mirror_of_action())
+    layers.append((np.concatenate([weights, swapped @ weights], axis=1) / 2, (bias + swapped @ bias) / 2, "cut"))
     return [(_rounded(weights), _rounded(bias), activation) for weights, bias, activation in layers]
+
+
+def _matrix(indices, signs):
+    """Returns the matrix of a mirror that is given by indices and signs."""
+    return np.identity(len(indices))[indices] * signs[:, None]
 
 
 def _rounded(numbers):
