@@ -52,6 +52,7 @@ class TextReadersTest {
             Map.entry("simulator/recording/RecordCursor", WRITTEN),
             Map.entry("workshop/fidelity/FidelityBench", RESOURCE),
             Map.entry("workshop/jmh/ReplayLink", WIRE),
+            Map.entry("workshop/sparring/FrozenTeam", "error messages of Git"),
             Map.entry("workshop/fidelity/ReferenceReader", "recordings of a server, written by a program"),
             Map.entry("trial/batch/Journal", WRITTEN),
             Map.entry("learning/policy/PolicySearch", WRITTEN),

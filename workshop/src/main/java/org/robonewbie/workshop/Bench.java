@@ -26,13 +26,20 @@ import picocli.CommandLine.ScopeType;
         synopsisSubcommandLabel = "SUBJECT",
         commandListHeading = "%nSubjects:%n",
         sortOptions = false,
-        subcommands = {ServerCommand.class, SpeedCommand.class, FidelityCommand.class, RecordCommand.class},
+        subcommands = {
+            ServerCommand.class,
+            SpeedCommand.class,
+            FidelityCommand.class,
+            RecordCommand.class,
+            SparringCommand.class
+        },
         footer = {
             "",
             "Examples:",
             "  bench motions --seeds 3     try each shipped motion three times",
             "  bench examples              how long does each example think?",
             "  bench server --fast         play with 22 robots over TCP",
+            "  bench sparring              how does the example team play against fixed partners?",
             "  bench speed --robots 1,22   how fast is a step?",
             "  bench fidelity              how close is it to the real rcssserver3d?",
             "  bench speed --help          help for one command",
@@ -206,7 +213,7 @@ public final class Bench {
                 "",
                 "Examples:",
                 "  bench team --players 3       20 halves, 3 against 3",
-                "  bench team --players 1       one player alone, for 5 minutes of open play"
+                "  bench team --players 1       one player alone, 5 minutes on the game's clock"
             })
     void team(
             @Mixin Trials trials,

@@ -39,7 +39,8 @@ class BenchTest {
                         "  server",
                         "  speed",
                         "  fidelity",
-                        "  record");
+                        "  record",
+                        "  sparring");
     }
 
     @Test
@@ -59,6 +60,8 @@ class BenchTest {
                 "examples --only Nobody | No example's name contains \"Nobody\".",
                 "team --players 12 | --players must be from 1 to 11, not 12.",
                 "team --against Agent_Nobody | --against must be Agent_BetterSoccer or Agent_Team, not Agent_Nobody.",
+                "sparring --players 12 | --players must be from 1 to 11, not 12.",
+                "sparring --pairs team:nowhere | There is no team \"nowhere\".",
                 "server --robots 1 | --robots must be from 2 to 22, not 1.",
                 "speed --robots 1,23 | --robots must be from 1 to 22, not 23.",
                 "speed --seconds 0 | --seconds 0.0 is not valid. Use a number of simulated seconds above 0, such as 20.",

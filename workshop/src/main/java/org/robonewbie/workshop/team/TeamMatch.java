@@ -5,12 +5,10 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.IntFunction;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -41,7 +39,6 @@ final class TeamMatch {
     private final int[] receivers;
     private double ballSpeed;
     private Optional<Integer> passer = Optional.empty();
-    private double playOnSeconds;
     private int falls;
     private int opponentsFalls;
     private int tried;
@@ -70,16 +67,9 @@ final class TeamMatch {
      * @param team creates a player of the measured team, given its uniform number
      * @param others creates a player of the other team, given its uniform number
      * @param halfSeconds length of the half in seconds
-     * @param playOnSeconds seconds of open play after which the match ends; empty for a whole half
      */
     static Result play(
-            long seed,
-            int home,
-            int away,
-            IntFunction<Agent> team,
-            IntFunction<Agent> others,
-            double halfSeconds,
-            OptionalDouble playOnSeconds) {
+            long seed, int home, int away, IntFunction<Agent> team, IntFunction<Agent> others, double halfSeconds) {
         List<RobotStart> robots = new ArrayList<>();
         List<Controller> controllers = new ArrayList<>();
         for (int number = 1; number <= home; number++) {
@@ -100,7 +90,7 @@ final class TeamMatch {
             trial.allowBeams();
             trial.order(new Order.SetTime(0));
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
-            return new TeamMatch(home, trial).watch(playOnSeconds);
+            return new TeamMatch(home, trial).watch();
         }
     }
 
@@ -110,10 +100,9 @@ final class TeamMatch {
         return new RobotStart(team, number, Agent_Team.type(number), place, List.of());
     }
 
-    private Result watch(OptionalDouble most) {
-        while (now.playMode() != PlayMode.GAME_OVER && (most.isEmpty() || playOnSeconds < most.getAsDouble())) {
+    private Result watch() {
+        while (now.playMode() != PlayMode.GAME_OVER) {
             now = trial.step();
-            playOnSeconds += now.playMode() == PlayMode.PLAY_ON ? Cycle.SECONDS : 0;
             countFalls();
             countPasses();
         }

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.IntFunction;
 import java.util.function.ToIntFunction;
 import org.robonewbie.agent.Agent;
@@ -26,7 +25,6 @@ public final class TeamMeasurement {
             Map.of(DEFAULT_OPPONENT, number -> new Agent_BetterSoccer(), "Agent_Team", Agent_Team::new);
 
     private static final double HALF_SECONDS = 300;
-    private static final double MAX_SECONDS = 3600;
 
     private final int halves;
     private final long firstSeed;
@@ -46,7 +44,7 @@ public final class TeamMeasurement {
     }
 
     /**
-     * Plays halves of five minutes; a single player has five minutes of open play.
+     * Plays halves of five minutes on the game's clock.
      *
      * @param players players of each team; 1 for a single player without opponents
      * @param opponent class name of the opponents
@@ -106,15 +104,7 @@ public final class TeamMeasurement {
         PrintStream usual = System.out;
         System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
         try {
-            boolean alone = players == 1;
-            return TeamMatch.play(
-                    seed,
-                    players,
-                    alone ? 0 : players,
-                    Agent_Team::new,
-                    others,
-                    alone ? MAX_SECONDS : HALF_SECONDS,
-                    alone ? OptionalDouble.of(HALF_SECONDS) : OptionalDouble.empty());
+            return TeamMatch.play(seed, players, players == 1 ? 0 : players, Agent_Team::new, others, HALF_SECONDS);
         } finally {
             System.setOut(usual);
         }
