@@ -3,6 +3,7 @@ package org.robonewbie.agent.league;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.Locomotion;
 import org.robonewbie.agent.walk.WalkVelocity;
@@ -35,6 +36,7 @@ final class LeagueMotors implements Locomotion {
     private static final double FOOT_DAMPING = 2;
 
     private final RobotModel model;
+    private final Diagnostics diagnostics;
     private final List<SharedJoint> shared;
     private final StandingLegs legs;
     private final Optional<LearnedWalk> walk;
@@ -55,9 +57,11 @@ final class LeagueMotors implements Locomotion {
      * Creates motors at rest.
      *
      * @param walk the robot's walk; empty for a robot that only stands
+     * @param diagnostics receives reports about velocities that the robot cannot walk with
      */
-    LeagueMotors(RobotModel model, Optional<LearnedWalk> walk) {
+    LeagueMotors(RobotModel model, Optional<LearnedWalk> walk, Diagnostics diagnostics) {
         this.model = model;
+        this.diagnostics = diagnostics;
         this.walk = walk;
         this.shared = SharedJoint.of(model);
         this.legs = new StandingLegs(model);
@@ -104,7 +108,16 @@ final class LeagueMotors implements Locomotion {
 
     @Override
     public void towards(WalkVelocity velocity) {
-        wanted = velocity;
+        if (walk.isEmpty() && !velocity.isZero()) {
+            diagnostics.reportAt("", "league walk", () -> "The " + model.name() + " cannot walk yet; it only stands.");
+        }
+        if (velocity.left() != 0) {
+            diagnostics.reportAt(
+                    "",
+                    "league walk left",
+                    () -> "The " + model.name() + " cannot walk sideways yet: turn it and walk ahead.");
+        }
+        wanted = new WalkVelocity(velocity.forward(), 0, velocity.turn());
     }
 
     @Override

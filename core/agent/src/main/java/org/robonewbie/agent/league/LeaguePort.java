@@ -69,7 +69,7 @@ public final class LeaguePort implements MessagePort {
         this.diagnostics = robot.diagnostics();
         this.reader = new LeagueMessageReader(model, team, number);
         this.writer = new LeagueMessageWriter(answer, model);
-        this.motors = new LeagueMotors(model, walkOf(model));
+        this.motors = new LeagueMotors(model, walkOf(model), robot.diagnostics());
         this.shared = motors.shared();
         robot.walk().setLocomotion(motors);
     }
