@@ -102,9 +102,4 @@ public final class Network {
     public InferenceSession session() {
         return new InferenceSession(layers);
     }
-
-    /** {@return whether the network remembers earlier inputs} */
-    public boolean isRecurrent() {
-        return layers.stream().anyMatch(layer -> layer.stateSize() > 0);
-    }
 }

@@ -10,6 +10,7 @@ import java.util.zip.Inflater;
 final class PackedWeights {
 
     private static final int PLANES = 3;
+    private static final int MANTISSA_BITS = 52;
 
     private PackedWeights() {}
 
@@ -27,7 +28,7 @@ final class PackedWeights {
         ByteBuffer bytes = ByteBuffer.wrap(inflate(Base85.decode(text), size)).order(ByteOrder.LITTLE_ENDIAN);
         double[] factors = new double[table.weights()];
         for (int i = 0; i < factors.length; i++) {
-            factors[i] = Math.scalb(1.0, bytes.get());
+            factors[i] = powerOfTwo(bytes.get());
         }
         double[] numbers = new double[table.size()];
         int planes = size - PLANES * weights;
@@ -43,6 +44,10 @@ final class PackedWeights {
             }
         }
         return numbers;
+    }
+
+    private static double powerOfTwo(int exponent) {
+        return Double.longBitsToDouble((long) (exponent + Double.MAX_EXPONENT) << MANTISSA_BITS);
     }
 
     /** Returns a signed integer, whose three bytes are a plane apart and whose lowest bit is its sign. */
