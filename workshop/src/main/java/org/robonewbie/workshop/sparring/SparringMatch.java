@@ -50,7 +50,7 @@ record SparringMatch(SparringTeam first, SparringTeam second, long seed, int pla
 
     /** Plays the match. */
     Result play(Supplier<FrozenTeam> frozen) {
-        boolean swapped = seed % 2 == 0;
+        boolean swapped = seed % 2 == 0 && second != SparringTeam.NOBODY; // a team alone is always the left one
         SparringTeam left = swapped ? second : first;
         SparringTeam right = swapped ? first : second;
         List<RobotStart> robots = new ArrayList<>();
