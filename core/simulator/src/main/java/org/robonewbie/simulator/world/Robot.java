@@ -191,7 +191,7 @@ public final class Robot {
      * @return degrees per second, without noise
      */
     public double jointDegreesPerSecond(Joint joint) {
-        return PortableMath.toDegrees(hinges.get(model.hingeIndex(joint)).radiansPerSecond());
+        return PortableMath.toDegrees(hinges.get(nao().hingeIndex(joint)).radiansPerSecond());
     }
 
     /**
@@ -201,7 +201,7 @@ public final class Robot {
      * @return newton metres; a positive torque increases the angle
      */
     public double jointTorque(Joint joint) {
-        return hinges.get(model.hingeIndex(joint)).torque();
+        return hinges.get(nao().hingeIndex(joint)).torque();
     }
 
     /** {@return the torso's pose in the world frame} */
@@ -393,17 +393,18 @@ public final class Robot {
 
     /** {@return the mass of the torso in kilograms, without the factor of {@link #setMassFactor}} */
     public double torsoMass() {
-        return model.links().get(0).massKg();
+        return model.bodies().get(0).massKg();
     }
 
     /**
      * Scales the maximum torque of a motor. The factor is not part of a saved state.
      *
      * @param joint the joint
-     * @param factor multiple of {@link #MAX_TORQUE}, above 0
+     * @param factor multiple of the motor's torque, above 0
      */
     public void setStrength(Joint joint, double factor) {
-        hinges.get(model.hingeIndex(joint)).setMaxTorque(factor * MAX_TORQUE);
+        int hinge = nao().hingeIndex(joint);
+        hinges.get(hinge).setMaxTorque(factor * maxTorque(model.joints().get(hinge)));
     }
 
     /**
@@ -419,7 +420,12 @@ public final class Robot {
     public void restoreProperties() {
         setMassFactor(1);
         setSoleGrip(1);
-        hinges.forEach(hinge -> hinge.setMaxTorque(MAX_TORQUE));
+        model.joints().forEach(joint -> hinges.get(joint.index()).setMaxTorque(maxTorque(joint)));
+    }
+
+    /** Returns the maximum torque of a joint's motor in newton metres. */
+    static double maxTorque(RobotJoint joint) {
+        return joint.motor() instanceof Motor.Torque torque ? torque.maxNewtonMetres() : MAX_TORQUE;
     }
 
     /** Wakes a sleeping robot. */

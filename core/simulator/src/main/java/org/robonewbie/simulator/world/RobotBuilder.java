@@ -8,7 +8,6 @@ import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
-import org.robonewbie.robot.Motor;
 import org.robonewbie.robot.PlacedShape;
 import org.robonewbie.robot.RobotBody;
 import org.robonewbie.robot.RobotJoint;
@@ -102,7 +101,7 @@ final class RobotBuilder {
                 child.rotation().apply(SimSparkFrame.fromBody(joint.axis())),
                 PortableMath.toRadians(joint.minDegrees()),
                 PortableMath.toRadians(joint.maxDegrees()),
-                joint.motor() instanceof Motor.Torque torque ? torque.maxNewtonMetres() : Robot.MAX_TORQUE,
+                Robot.maxTorque(joint),
                 STOP_BOUNCE);
     }
 
