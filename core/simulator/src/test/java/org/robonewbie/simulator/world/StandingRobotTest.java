@@ -76,11 +76,11 @@ class StandingRobotTest {
 
     /** Torque of gravity about the shoulder, from the masses and positions of the links of the left arm, which points forward. */
     private double armTorque() {
-        List<Link> links = robot.model().links();
+        List<Link> links = robot.nao().links();
         double shoulder = robot.torso().position().x()
-                + robot.model()
+                + robot.nao()
                         .hinges()
-                        .get(robot.model().hingeIndex(Joint.LEFT_SHOULDER_PITCH))
+                        .get(robot.nao().hingeIndex(Joint.LEFT_SHOULDER_PITCH))
                         .anchor()
                         .y();
         return IntStream.range(0, links.size())
@@ -113,7 +113,7 @@ class StandingRobotTest {
     }
 
     private double foot() {
-        return robot.linkPosition(robot.model().linkIndex("lfoot")).y();
+        return robot.linkPosition(robot.nao().linkIndex("lfoot")).y();
     }
 
     @Test

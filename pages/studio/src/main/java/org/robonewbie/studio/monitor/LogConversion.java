@@ -2,6 +2,7 @@ package org.robonewbie.studio.monitor;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -92,7 +93,7 @@ public final class LogConversion {
      * @param listener receives a sentence; not called if everything was understood
      */
     public void reportTo(Consumer<String> listener) {
-        var unused = end.whenComplete((remark, failure) -> {
+        CompletableFuture<?> unused = end.whenComplete((remark, failure) -> {
             if (failure != null) {
                 listener.accept("The rest of the log cannot be read: " + failure.getMessage());
             } else {
@@ -102,7 +103,7 @@ public final class LogConversion {
     }
 
     private static IOException failure(Exception failed) {
-        Throwable cause = Optional.<Throwable>ofNullable(failed.getCause()).orElse(failed);
+        Throwable cause = Objects.requireNonNullElse(failed.getCause(), failed);
         return new IOException("The log cannot be read completely: " + cause.getMessage(), cause);
     }
 }
