@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.studio.LocalStudio;
 import org.robonewbie.app.studio.OpenedFile;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
@@ -159,7 +160,7 @@ final class StudioCommand implements Callable<Integer> {
                     address.port(),
                     () -> RecordingRepository.ofUser().flatMap(repository -> repository.next("")));
         } catch (WrongPortException agentPort) {
-            throw new CalledWronglyException(agentPort.getMessage());
+            throw new CalledWronglyException(String.valueOf(agentPort.getMessage()));
         }
     }
 
