@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.studio.LocalStudio;
 import org.robonewbie.app.studio.OpenedFile;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
@@ -19,6 +20,7 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
+import org.robonewbie.studio.monitor.WrongPortException;
 import org.robonewbie.studio.roboviz.RoboVizPort;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -32,7 +34,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Open the studio in the browser. Unless it is watching a server, it starts a simulator that waits for"
                     + " agents on the beginners' pitch.",
-            "FILE is a recording (.rec), the log of a SimSpark server (.log, may be gzipped), a motion (.txt), or a"
+            "FILE is a recording (.rec), a server's log (.log, may be gzipped), a motion (.txt), or a"
                     + " program (.java)."
         },
         footer = {
@@ -40,6 +42,7 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  robonewbie studio                     then, in another terminal: robonewbie run Agent_SimpleSoccer",
             "  robonewbie studio --monitor 127.0.0.1:3200     watch a running rcssserver3d or robonewbie simulator",
+            "  robonewbie studio --monitor 127.0.0.1:60001    watch a running RCSSServerMJ",
             "  robonewbie studio --roboviz-drawings           also show what teams draw for RoboViz",
             "  robonewbie studio game.rec            replay a recorded run",
             "  robonewbie studio sparkmonitor.log    replay the log of a server",
@@ -140,12 +143,25 @@ final class StudioCommand implements Callable<Integer> {
 
     private static MonitoredSimulation watch(String server) throws IOException {
         MonitorAddress address = MonitorAddress.of(server);
-        MonitoredSimulation match = MonitoredSimulation.connect(
-                address.host(),
-                address.port(),
-                () -> RecordingRepository.ofUser().flatMap(repository -> repository.next("")));
+        MonitoredSimulation match = connect(address);
         Runtime.getRuntime().addShutdownHook(new Thread(match::close, "end-of-watching"));
+        if (match.wasSilent()) {
+            System.out.println(
+                    "Nothing has come from " + server + " yet. If that is an agent port, give the monitor port instead,"
+                            + " which is usually 3200 (SimSpark) or 60001 (RCSSServerMJ).");
+        }
         return match;
+    }
+
+    private static MonitoredSimulation connect(MonitorAddress address) throws IOException {
+        try {
+            return MonitoredSimulation.connect(
+                    address.host(),
+                    address.port(),
+                    () -> RecordingRepository.ofUser().flatMap(repository -> repository.next("")));
+        } catch (WrongPortException agentPort) {
+            throw new CalledWronglyException(String.valueOf(agentPort.getMessage()));
+        }
     }
 
     private SimulationControl start() throws IOException {

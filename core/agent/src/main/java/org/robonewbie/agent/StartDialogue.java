@@ -18,6 +18,8 @@ import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
  */
 final class StartDialogue {
 
+    private static final String MONITOR_START = "((";
+    private static final String LEAGUE_MONITOR_START = "((RSMP ";
     private static final int MAX_MESSAGES = 100;
     private static final int MESSAGES_TO_SETTLE = 15;
 
@@ -47,6 +49,7 @@ final class StartDialogue {
                             + " RCSSServerMJ, the server of today's league, which does not speak SimSpark's protocol: start"
                             + " \"robonewbie simulator\" instead, or play there through \"python -m robonewbie.league bridge\".");
         }
+        refuseMonitorPort();
         robot.sense(port.message());
         atFirstMessage.run();
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
@@ -60,6 +63,20 @@ final class StartDialogue {
             }
         }
         robot.sensors().falls().reset();
+    }
+
+    /** Monitor messages start with a list of lists; messages to agents start with a named list. */
+    private void refuseMonitorPort() throws IOException {
+        if (robot.sensors().buffer().startsWith(LEAGUE_MONITOR_START)) {
+            throw new IOException(
+                    "this is the monitor port of RCSSServerMJ, the server of today's league, which does not speak"
+                            + " SimSpark's protocol: start \"robonewbie simulator\" instead, or play there through"
+                            + " \"python -m robonewbie.league bridge\".");
+        } else if (robot.sensors().buffer().startsWith(MONITOR_START)) {
+            throw new IOException(
+                    "this is the monitor port of a SimSpark server, which is for watching: join at its agent port,"
+                            + " which is usually 3100 (--port 3100).");
+        }
     }
 
     private void waitForNumber() throws IOException {

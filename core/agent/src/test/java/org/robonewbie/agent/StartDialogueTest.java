@@ -4,15 +4,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.tcp.FrameOutput;
 
 class StartDialogueTest {
 
@@ -91,6 +97,37 @@ class StartDialogueTest {
                     .isInstanceOf(StartUpException.class)
                     .hasMessageContaining("RCSSServerMJ")
                     .hasMessageContaining("robonewbie.league bridge");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "((RSMP 1 0)((gt 1 0)0.04)) | this is the monitor port of RCSSServerMJ",
+                "((FieldLength 30)(FieldWidth 20)) | this is the monitor port of a SimSpark server"
+            })
+    void saysWhoseMonitorPortItIs(String message, String reason) throws Exception {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Thread server = new Thread(() -> send(socket, message), "monitor port");
+            server.start();
+            Options options =
+                    Options.none().with("host", "127.0.0.1").with("port", Integer.toString(socket.getLocalPort()));
+
+            assertThatThrownBy(() -> Nao.connect(options))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageContaining(reason);
+        }
+    }
+
+    private static void send(ServerSocket socket, String message) {
+        try (Socket client = socket.accept()) {
+            MessageBuffer buffer = new MessageBuffer();
+            buffer.append(message);
+            new FrameOutput(client.getOutputStream()).write(buffer);
+            client.getInputStream().transferTo(OutputStream.nullOutputStream());
+        } catch (IOException left) {
+            // The client has left.
         }
     }
 

@@ -112,6 +112,20 @@ public final class MessageBuffer {
         System.arraycopy(encoded, 0, bytes, start, encoded.length);
     }
 
+    /**
+     * Returns whether the message starts with a text.
+     *
+     * @param text the text, in ASCII
+     * @return whether the first bytes are those of the text
+     */
+    public boolean startsWith(String text) {
+        boolean equal = length >= text.length();
+        for (int i = 0; equal && i < text.length(); i++) {
+            equal = bytes[i] == text.charAt(i);
+        }
+        return equal;
+    }
+
     /** {@return the message, decoded as UTF-8} */
     @Override
     public String toString() {

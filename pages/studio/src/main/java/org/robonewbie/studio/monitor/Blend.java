@@ -90,7 +90,7 @@ final class Blend {
     }
 
     private static boolean isSameModel(RobotState one, RobotState other) {
-        return one.model() == other.model();
+        return one.model().equals(other.model());
     }
 
     private static double step(Pose from, Pose to, double part) {

@@ -2,6 +2,7 @@ package org.robonewbie.studio.monitor;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -68,7 +69,7 @@ public final class LogConversion {
             Thread.currentThread().interrupt();
             return false;
         } catch (ExecutionException failed) {
-            throw failure(failed.getCause());
+            throw failure(failed);
         }
     }
 
@@ -77,7 +78,7 @@ public final class LogConversion {
         try {
             end.join();
         } catch (CompletionException failed) {
-            throw failure(failed.getCause());
+            throw failure(failed);
         }
     }
 
@@ -92,7 +93,7 @@ public final class LogConversion {
      * @param listener receives a sentence; not called if everything was understood
      */
     public void reportTo(Consumer<String> listener) {
-        end.whenComplete((remark, failure) -> {
+        CompletableFuture<?> unused = end.whenComplete((remark, failure) -> {
             if (failure != null) {
                 listener.accept("The rest of the log cannot be read: " + failure.getMessage());
             } else {
@@ -101,7 +102,8 @@ public final class LogConversion {
         });
     }
 
-    private static IOException failure(Throwable cause) {
+    private static IOException failure(Exception failed) {
+        Throwable cause = Objects.requireNonNullElse(failed.getCause(), failed);
         return new IOException("The log cannot be read completely: " + cause.getMessage(), cause);
     }
 }

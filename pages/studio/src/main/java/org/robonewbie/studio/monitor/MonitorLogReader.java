@@ -64,8 +64,10 @@ public final class MonitorLogReader {
             take(lines.number());
         }
         if (recorder.isEmpty()) {
-            throw new IOException("\"" + log + "\" is not a server log: it contains no complete scene."
-                    + firstProblem.map(problem -> " " + problem).orElse(""));
+            throw new IOException("\"" + log + "\" "
+                    + firstProblem
+                            .map(problem -> "is a log of RCSSServerMJ that cannot be read. " + problem)
+                            .orElse("is not a server log: it contains no complete scene."));
         }
     }
 
@@ -78,8 +80,8 @@ public final class MonitorLogReader {
         } finally {
             recorder.ifPresent(MonitorRecorder::close);
         }
-        return firstProblem.map(problem ->
-                "Of " + messages + " messages in \"" + log + "\", " + refused + " were not understood. " + problem);
+        return firstProblem.map(problem -> "Messages in \"" + log + "\" that were not understood: " + refused + " of "
+                + messages + ". " + problem);
     }
 
     /** Reads the next line. A log of RCSSServerMJ that is cut off ends where it is cut; the server may have been killed. */

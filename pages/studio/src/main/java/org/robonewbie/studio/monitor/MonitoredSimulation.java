@@ -5,8 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.robonewbie.nao.PlayMode;
@@ -39,6 +42,13 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 public final class MonitoredSimulation implements SimulationControl, AutoCloseable {
 
     private static final String NO_CLOCK = "A simulation in another process cannot be paused or sped up.";
+    private static final String MONITOR_START = "((";
+    private static final String CLOSED =
+            "The server at %s:%d closed the connection when asked for the state of the match. RCSSServerMJ, the server of"
+                    + " today's league, does so at its agent port; it is watched at its monitor port, which is usually 60001.";
+    private static final String AGENT_PORT =
+            "%s:%d is the agent port of a SimSpark server. It is watched at its monitor port, which is usually 3200.";
+    private static final long MAX_SILENCE_SECONDS = 5;
     private static final long MAX_END_MILLIS = 3000;
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
@@ -52,6 +62,8 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     private volatile PitchDetails details = PitchDetails.SIMSPARK;
     private volatile boolean isLeague;
     private volatile Optional<WorldSnapshot> lastSnapshot = Optional.empty();
+    private final CompletableFuture<Optional<String>> mistakeAtStart = new CompletableFuture<>();
+    private boolean silent;
     private volatile boolean open = true;
     private final Supplier<Optional<Path>> recording;
     private final List<MatchEvent> newEvents = new ArrayList<>();
@@ -87,29 +99,69 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
      * @param port its monitor port
      * @param recording names the file to which a match of RCSSServerMJ is recorded; called once such a match is seen
      * @return the remote simulation
+     * @throws WrongPortException if the port is an agent port
      * @throws IOException if no server responds; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port, Supplier<Optional<Path>> recording)
             throws IOException {
         MonitorLink link = MonitorLink.connect(host, port);
+        link.send(new Order.RequestFullState());
         MonitoredSimulation simulation = new MonitoredSimulation(host, port, recording, link);
         simulation.thread.start();
+        simulation.awaitFirstMessage();
         return simulation;
+    }
+
+    /**
+     * Waits for the first message. An agent port is recognised by what it does after a message for a monitor port: SimSpark's sends
+     * what a robot senses, and RCSSServerMJ closes the connection. A silent server may be busy, so it is not refused.
+     */
+    private void awaitFirstMessage() throws IOException {
+        Optional<String> mistake;
+        try {
+            mistake = mistakeAtStart.get(MAX_SILENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (TimeoutException stillSilent) {
+            silent = mistakeAtStart.complete(Optional.empty());
+            return;
+        } catch (InterruptedException | ExecutionException stopped) {
+            throw new IOException("Watching was interrupted.", stopped);
+        }
+        if (mistake.isPresent()) {
+            throw new WrongPortException(mistake.get());
+        }
+    }
+
+    /** {@return whether the server sent nothing in the first seconds} */
+    public boolean wasSilent() {
+        return silent;
     }
 
     private void listen() {
         while (open) {
             try {
-                while (link.receive()) {
+                while (link.receive() && isMonitorPort()) {
                     take(link.world());
+                    mistakeAtStart.complete(Optional.empty());
                 }
             } catch (IOException lost) {
                 // The server has stopped; reconnect below.
             }
             link.close();
+            if (mistakeAtStart.complete(Optional.of(CLOSED.formatted(host, port)))) {
+                return;
+            }
             seekAgain();
         }
         recorder.ifPresent(MonitorRecorder::close);
+    }
+
+    /** Returns whether the last message is for monitors: a list of lists. Messages to agents are named lists. */
+    private boolean isMonitorPort() {
+        boolean isMonitorPort = link.lastMessage().startsWith(MONITOR_START);
+        if (!isMonitorPort) {
+            mistakeAtStart.complete(Optional.of(AGENT_PORT.formatted(host, port)));
+        }
+        return isMonitorPort;
     }
 
     private void seekAgain() {

@@ -120,7 +120,7 @@ public final class RunWatch implements RecordingState.Listener {
      * ways                  trails of the robots, with their side: 0 for no team, 1 for the left team, 2 for the right team
      * events                index of the cycle, kind (goal, foul, playmode or fall) and text
      * rosters               line-ups of robots, each with its number of cycles
-     * models                models of robots that are not NAOs, by the name of their type
+     * models                models of robots that are not NAOs, by the name of their type; absent if all are NAOs
      * header                header of the recording
      * </pre>
      *
@@ -129,9 +129,7 @@ public final class RunWatch implements RecordingState.Listener {
     public JsonObject summary() {
         JsonObject header = new JsonObject();
         state.header().forEach(header::addProperty);
-        JsonObject models = new JsonObject();
-        state.models().forEach((type, model) -> models.add(type, JsonParser.parseString(model)));
-        return Json.object(
+        JsonObject summary = Json.object(
                 "count", count,
                 "firstCycle", firstCycle,
                 "left", state.teams().get(0),
@@ -146,8 +144,13 @@ public final class RunWatch implements RecordingState.Listener {
                         Json.array(rosters.entrySet().stream()
                                 .filter(entry -> entry.getValue()[0] > 0)
                                 .map(RunWatch::roster)),
-                "models", models,
                 "header", header);
+        if (!state.models().isEmpty()) {
+            JsonObject models = new JsonObject();
+            state.models().forEach((type, model) -> models.add(type, JsonParser.parseString(model)));
+            summary.add("models", models);
+        }
+        return summary;
     }
 
     private JsonObject way(Map.Entry<Integer, Trail> way) {
