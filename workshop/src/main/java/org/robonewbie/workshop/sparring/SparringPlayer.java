@@ -145,7 +145,7 @@ public final class SparringPlayer extends Agent {
     /** Returns a place on the arc around the own goal, at a distance from it that depends on the player's number. */
     private Plan defend(Plan usual) {
         Translation2d goal = world.ourGoal();
-        long before = world.mates().stream()
+        int before = (int) world.mates().stream()
                 .filter(mate -> mate.number() < world.number())
                 .count();
         double out = Math.min(3 + before % 3, world.ball().distanceTo(goal) - 1);
