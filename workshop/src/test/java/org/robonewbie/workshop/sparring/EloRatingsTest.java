@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 
 class EloRatingsTest {
@@ -18,25 +20,29 @@ class EloRatingsTest {
 
         var ratings = EloRatings.of(results);
 
-        assertThat(ratings.get(SparringTeam.TEAM).points()
-                        - ratings.get(SparringTeam.KICKERS).points())
+        assertThat(rating(ratings, SparringTeam.TEAM).points()
+                        - rating(ratings, SparringTeam.KICKERS).points())
                 .isCloseTo(191, within(3.0));
-        assertThat(ratings.get(SparringTeam.TEAM).error()).isBetween(15.0, 25.0);
+        assertThat(rating(ratings, SparringTeam.TEAM).error()).isBetween(15.0, 25.0);
     }
 
     @Test
     void aTeamThatWinsEachMatchHasAFiniteRating() {
         var ratings = EloRatings.of(List.of(result(SparringTeam.PACK, 2), result(SparringTeam.PACK, 1)));
 
-        assertThat(ratings.get(SparringTeam.TEAM).points()).isBetween(50.0, 400.0);
-        assertThat(ratings.get(SparringTeam.PACK).points()).isBetween(-400.0, -50.0);
+        assertThat(rating(ratings, SparringTeam.TEAM).points()).isBetween(50.0, 400.0);
+        assertThat(rating(ratings, SparringTeam.PACK).points()).isBetween(-400.0, -50.0);
     }
 
     @Test
     void drawsMakeTeamsEqual() {
         var ratings = EloRatings.of(List.of(result(SparringTeam.WALL, 0), result(SparringTeam.WALL, 0)));
 
-        assertThat(ratings.get(SparringTeam.TEAM).points()).isZero();
+        assertThat(rating(ratings, SparringTeam.TEAM).points()).isZero();
+    }
+
+    private static EloRatings.Rating rating(Map<SparringTeam, EloRatings.Rating> ratings, SparringTeam team) {
+        return Objects.requireNonNull(ratings.get(team));
     }
 
     private static SparringMatch.Result result(SparringTeam other, int lead) {
