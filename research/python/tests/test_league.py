@@ -236,7 +236,7 @@ class T1Test(ServerTest):
         self._run("Walker", WALKER.replace("0.2, 0, 0", "0.5, 0, 0"), 12)
 
         places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
-        self.assertGreater(places[-1][0] - places[0][0], 3)
+        self.assertGreater(places[-1][0] - places[0][0], 1.5)
         self.assertGreater(min(place[2] for place in places), 0.55)
 
 
