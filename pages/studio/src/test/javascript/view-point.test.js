@@ -30,7 +30,7 @@ test('the view neither goes underground nor over the top', () => {
 
 test('zooming ends before the robot and before the horizon', () => {
   assert.ok(zoomed(view, 0.0001).distance > 0.2);
-  assert.ok(zoomed(view, 10000).distance <= 60);
+  assert.ok(zoomed(view, 10000).distance <= 90);
 });
 
 test('moving right and up follows the screen', () => {
