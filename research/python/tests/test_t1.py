@@ -23,6 +23,15 @@ if LEARNING:
     from robonewbie.t1.training import Training
 
 
+class ShippedPolicyTest(unittest.TestCase):
+    def test_java_programs_walk_with_the_same_policy(self):
+        root = Path(__file__).parents[3]
+        ours = root / "research/python/robonewbie/t1/t1-walk.policy"
+        theirs = root / "core/agent/src/main/resources/policies/t1-walk.policy"
+
+        self.assertEqual(ours.read_bytes(), theirs.read_bytes())
+
+
 @unittest.skipUnless(INSTALLED, "mujoco or rcsssmj is not installed")
 class RobotTest(unittest.TestCase):
     def test_tilt_filter_finds_up_while_the_torso_leans(self):
