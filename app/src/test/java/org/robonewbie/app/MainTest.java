@@ -120,7 +120,7 @@ class MainTest {
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err())
                 .contains("picture.png\" is not a server log: it contains no complete scene.")
-                .contains("It opens recordings (.rec), logs of SimSpark servers, motions (.txt) and programs (.java).");
+                .contains("It opens recordings (.rec), logs of SimSpark servers and of RCSSServerMJ, motions");
     }
 
     @Test
