@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.json.RobotModelJson;
 
 /**
  * An incremental reader of a recording. It keeps the state after the last cycle as raw fixed-point values, so that
@@ -180,10 +181,20 @@ public final class RecordingState {
     private void takeModel(byte[] payload, RecordCursor content) {
         int type = (int) content.getUnsigned();
         int joints = content.getCount();
-        if (type != RecordingFormat.NAO_TYPES + models.size()) {
+        String json = content.getText();
+        if (type != RecordingFormat.NAO_TYPES + models.size() || joints != jointsOf(json)) {
             throw damaged();
         }
-        models.add(new ListedModel(joints, content.getText(), payload));
+        models.add(new ListedModel(joints, json, payload));
+    }
+
+    /** Returns the number of joints of a model, or -1 if it cannot be read. */
+    private static int jointsOf(String json) {
+        try {
+            return RobotModelJson.read(json).joints().size();
+        } catch (IllegalArgumentException unreadable) {
+            return -1;
+        }
     }
 
     private void takeThings(byte[] payload) {
