@@ -9,6 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from robonewbie.evaluate import PlayedPolicy
+
 INSTALLED = all(importlib.util.find_spec(name) for name in ("mujoco", "rcsssmj"))
 LEARNING = INSTALLED and importlib.util.find_spec("stable_baselines3")
 
@@ -19,7 +21,7 @@ if LEARNING:
 
     from robonewbie.t1 import environment, mirror
     from robonewbie.t1.environment import Variation, WalkingRobots
-    from robonewbie.t1.policy import Policy, policy_text
+    from robonewbie.t1.policy import policy_text
     from robonewbie.t1.training import Training
 
 
@@ -181,7 +183,7 @@ class TrainingTest(unittest.TestCase):
             observed = np.random.default_rng(1).normal(0, 3, (100, environment.INPUTS + environment.PRIVILEGED)).astype(np.float32)
             clipped = observed.clip(-robot.OBSERVATION_LIMIT, robot.OBSERVATION_LIMIT)
             wanted, _ = again.model.predict(clipped, deterministic=True)
-            np.testing.assert_allclose(Policy(out.read_text("utf-8"))(observed), wanted, atol=1e-3)
+            np.testing.assert_allclose(PlayedPolicy(out.read_text("utf-8")).act(observed[:, : environment.INPUTS]), wanted, atol=1e-3)
             indices, signs = mirror.mirror_of_observation()
             action_indices, action_signs = mirror.mirror_of_action()
             mirrored, _ = again.model.predict(clipped[:, indices] * signs, deterministic=True)

@@ -41,22 +41,28 @@ def _train(wanted):
     print(f"The policy was written to {wanted.out}.")
 
 
-def _evaluate(wanted):
-    from .evaluation import report
-    from .policy import Policy
+def _policy(file):
+    from ..evaluate import PlayedPolicy
 
-    report(Policy(wanted.policy.read_text(encoding="utf-8")), wanted.n_envs)
+    return PlayedPolicy(file.read_text(encoding="utf-8"))
+
+
+def _evaluate(wanted):
+    from . import robot
+    from .evaluation import report
+
+    policy = _policy(wanted.policy)
+    report(lambda observed: policy.act(observed[:, : len(robot.INPUTS)]), wanted.n_envs)
 
 
 def _play(wanted):
     from .player import play
-    from .policy import Policy
 
     host, _, port = wanted.server.rpartition(":")
-    policy, falls = Policy(wanted.policy.read_text(encoding="utf-8")), 0
+    act, falls = _policy(wanted.policy).act, 0
     for start in range(wanted.starts):
         heading = 360 * start / wanted.starts
-        walked = play(policy, (host, int(port)), wanted.seconds, wanted.command, heading, [wanted.seed, start])
+        walked = play(act, (host, int(port)), wanted.seconds, wanted.command, heading, [wanted.seed, start])
         falls += walked["fallen_after"] is not None
         print(f"heading {heading:3.0f}°: " + ", ".join(f"{name} {value}" for name, value in walked.items()), flush=True)
     print(f"{falls} falls in {wanted.starts} starts")

@@ -36,8 +36,8 @@ def _true_heading(message):
 class Walker:
     """The walk of one robot: sensor readings in, targets out."""
 
-    def __init__(self, policy):
-        self._policy = policy
+    def __init__(self, act):
+        self._act = act
         self._tilt, self._clock = robot.TiltFilter(), robot.GaitClock()
         self._action, self._command = np.zeros((1, 12)), np.zeros((1, 3))
         self._cycle = 0
@@ -55,7 +55,7 @@ class Walker:
             observed = robot.observation(
                 self._tilt.up, gyro[None], angles[None, legs], speeds[None, legs], self._action, self._command, self._clock.sine_and_cosine()
             )
-            self._action = self._policy(observed)
+            self._action = self._act(observed)
         self._cycle += 1
         return robot.target_degrees(self._action, self._clock.sine_and_cosine(), self._command)[0]
 
@@ -67,7 +67,7 @@ def _order(targets):
     )
 
 
-def play(policy, address, seconds, command=None, heading=0, seed=1, place=(-20, 0)):
+def play(act, address, seconds, command=None, heading=0, seed=1, place=(-20, 0)):
     """Lets one robot walk on a server, and returns a summary as a dictionary.
 
     :param command: constant command (forward, left, turn); random ones, a new one every 3 s, if it is omitted
@@ -76,7 +76,7 @@ def play(policy, address, seconds, command=None, heading=0, seed=1, place=(-20, 
     random = np.random.default_rng(seed)
     server = Connection(socket.create_connection(address))
     server.send(b"(init T1 RoboNewbie 2)")
-    walker, track, fallen_after = Walker(policy), [], None
+    walker, track, fallen_after = Walker(act), [], None
     now = np.zeros(3)
     try:
         for cycle in range(SETTLING_CYCLES + round(seconds / robot.CYCLE_SECONDS)):

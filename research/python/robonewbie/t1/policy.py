@@ -1,12 +1,12 @@
-"""The T1's walk as a policy file: written from a trained model, and read with numpy alone."""
+"""The T1's walk as a policy file, written from a trained model."""
 
 import numpy as np
 
-from ..train import _layers_of, _numbers, layer_lines
+from .. import network
+from ..train import torch_layers
 from . import mirror, robot
 
 DIGITS = 5
-_ACTIVATIONS = {"tanh": np.tanh, "cut": lambda sums: np.clip(sums, -1, 1), "linear": lambda sums: sums}
 
 
 def policy_text(model, about):
@@ -31,24 +31,23 @@ def policy_text(model, about):
     ]
     lines += [f"input {name} {unit}" for name, unit in robot.INPUTS]
     lines += [f"output {motor} {degrees:g} degrees" for motor, degrees in zip(robot.LEG_MOTORS, robot.RANGE_DEGREES)]
-    return "\n".join([*lines, *layer_lines(_layers(model))]) + "\n"
+    return "\n".join([*lines, *network.lines(_layers(model))]) + "\n"
 
 
 def _layers(model):
     """Returns the layers of the symmetric actor as those of one network, in which each hidden layer is there twice."""
     policy = model.policy
-    first, *others = _layers_of(policy.mlp_extractor.policy_net)
+    first, *others = torch_layers(policy.mlp_extractor.policy_net)
     limit, count = robot.OBSERVATION_LIMIT, len(robot.INPUTS)
     swapped = _matrix(*mirror.mirror_of_observation())[:count, :count]
     layers = [(np.identity(count) / limit, np.zeros(count), "cut")]
-    weights, bias, activation = first
-    layers.append((np.concatenate([weights, weights @ swapped]) * limit, np.tile(bias, 2), activation))
-    for weights, bias, activation in others:
-        zeros = np.zeros_like(weights)
-        layers.append((np.block([[weights, zeros], [zeros, weights]]), np.tile(bias, 2), activation))
-    weights, bias = _numbers(policy.action_net.linear)
+    layers.append((np.concatenate([first.weights, first.weights @ swapped]) * limit, np.tile(first.bias, 2), first.activation))
+    for layer in others:
+        zeros = np.zeros_like(layer.weights)
+        layers.append((np.block([[layer.weights, zeros], [zeros, layer.weights]]), np.tile(layer.bias, 2), layer.activation))
+    (last,) = torch_layers([policy.action_net.linear])
     swapped = _matrix(*mirror.mirror_of_action())
-    layers.append((np.concatenate([weights, swapped @ weights], axis=1) / 2, (bias + swapped @ bias) / 2, "cut"))
+    layers.append((np.concatenate([last.weights, swapped @ last.weights], axis=1) / 2, (last.bias + swapped @ last.bias) / 2, "cut"))
     return [(_rounded(weights), _rounded(bias), activation) for weights, bias, activation in layers]
 
 
@@ -59,23 +58,3 @@ def _matrix(indices, signs):
 
 def _rounded(numbers):
     return np.vectorize(lambda number: float(f"{number:.{DIGITS}g}"))(numbers)
-
-
-class Policy:
-    """A policy file that is played with numpy."""
-
-    def __init__(self, text):
-        self._layers = []
-        lines = iter(text.splitlines())
-        for line in lines:
-            if line.startswith("layer "):
-                _, _, outputs, activation = line.split()
-                rows = np.array([next(lines).split() for _ in range(int(outputs))], float)
-                self._layers.append((rows[:, 1:], rows[:, 0], _ACTIVATIONS[activation]))
-
-    def __call__(self, observation):
-        """Returns the actions for observations, one row per robot."""
-        values = np.asarray(observation, float)[:, : len(robot.INPUTS)]
-        for weights, bias, activation in self._layers:
-            values = activation(values @ weights.T + bias)
-        return values
