@@ -16,6 +16,7 @@ import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
+import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
 /**
@@ -32,7 +33,7 @@ public final class LeagueMessageReader {
     private static final int MAX_HEARD = 100;
 
     private final RobotModel model;
-    private final String[] jointNames;
+    private final OrderedNames joints;
     private final String team;
     private final int number;
     private final SexpReader reader = new SexpReader();
@@ -41,7 +42,6 @@ public final class LeagueMessageReader {
     private final List<Heard> heard = new ArrayList<>();
     private double[] degrees = {};
     private double[] degreesPerSecond = {};
-    private int expectedJoint;
     private OptionalDouble seconds = OptionalDouble.empty();
     private Optional<GameState> gameState = Optional.empty();
     private Optional<Vector3> gyro = Optional.empty();
@@ -61,8 +61,8 @@ public final class LeagueMessageReader {
         this.model = model;
         this.team = team;
         this.number = number;
-        this.jointNames =
-                model.joints().stream().map(joint -> joint.perceptorName()).toArray(String[]::new);
+        this.joints = new OrderedNames(
+                model.joints().stream().map(RobotJoint::perceptorName).toList());
     }
 
     /**
@@ -102,11 +102,11 @@ public final class LeagueMessageReader {
         if (reader.atomIs("HJ")) {
             readJoint();
         } else if (reader.atomIs("GYR")) {
-            gyro = readVector("rt").map(SimSparkFrame::fromBody);
+            gyro = Readings.vectorIn(reader, "rt").map(SimSparkFrame::fromBody);
         } else if (reader.atomIs("ACC")) {
-            accelerometer = readVector("a").map(SimSparkFrame::fromBody);
+            accelerometer = Readings.vectorIn(reader, "a").map(SimSparkFrame::fromBody);
         } else if (reader.atomIs("pos")) {
-            position = readVector("p");
+            position = Readings.vectorIn(reader, "p");
         } else if (reader.atomIs("quat")) {
             orientation = readOrientation();
         } else if (reader.atomIs("See")) {
@@ -116,19 +116,9 @@ public final class LeagueMessageReader {
         } else if (reader.atomIs("MIC")) {
             readHeard();
         } else if (reader.atomIs("time")) {
-            readTime();
+            OptionalDouble now = Readings.numberIn(reader, "now");
+            seconds = now.isPresent() ? now : seconds;
         }
-    }
-
-    private void readTime() {
-        int depth = reader.depth();
-        OptionalDouble now = OptionalDouble.empty();
-        while (reader.nextList(depth)) {
-            if (reader.atomIs("now")) {
-                now = Readings.number(reader);
-            }
-        }
-        seconds = isComplete() && now.isPresent() ? now : seconds;
     }
 
     private void readJoint() {
@@ -138,40 +128,17 @@ public final class LeagueMessageReader {
         int depth = reader.depth();
         while (reader.nextList(depth)) {
             if (reader.atomIs("n")) {
-                joint = reader.next() == Token.ATOM ? jointOfAtom() : -1;
+                joint = reader.next() == Token.ATOM ? joints.indexOf(reader) : -1;
             } else if (reader.atomIs("ax")) {
                 angle = Readings.number(reader);
             } else if (reader.atomIs("vx")) {
                 speed = Readings.number(reader);
             }
         }
-        if (isComplete() && joint >= 0) {
+        if (Readings.isComplete(reader) && joint >= 0) {
             degrees[joint] = angle.orElse(Double.NaN);
             degreesPerSecond[joint] = speed.orElse(Double.NaN);
         }
-    }
-
-    /** Returns the index of the joint that is named by the current atom, or -1; messages list the joints in order. */
-    private int jointOfAtom() {
-        for (int i = 0; i < jointNames.length; i++) {
-            int candidate = (expectedJoint + i) % jointNames.length;
-            if (reader.atomIs(jointNames[candidate])) {
-                expectedJoint = candidate + 1;
-                return candidate;
-            }
-        }
-        return -1;
-    }
-
-    private Optional<Vector3> readVector(String name) {
-        Optional<Vector3> reading = Optional.empty();
-        int depth = reader.depth();
-        while (reader.nextList(depth)) {
-            if (reader.atomIs(name)) {
-                reading = Readings.vector(reader);
-            }
-        }
-        return isComplete() ? reading : Optional.empty();
     }
 
     private Optional<Rotation> readOrientation() {
@@ -184,7 +151,7 @@ public final class LeagueMessageReader {
                 reading = axis.flatMap(part -> unit(w.getAsDouble(), part));
             }
         }
-        return isComplete() ? reading : Optional.empty();
+        return Readings.isComplete(reader) ? reading : Optional.empty();
     }
 
     /** Normalises a quaternion, since the server sends three decimal places; empty if it is zero or not finite. */
@@ -208,16 +175,16 @@ public final class LeagueMessageReader {
             } else if (reader.atomIs("pm")) {
                 playMode = reader.next() == Token.ATOM ? words.of(reader) : playMode;
             } else if (reader.atomIs("sl")) {
-                leftScore = readInteger();
+                leftScore = Readings.integer(reader);
             } else if (reader.atomIs("sr")) {
-                rightScore = readInteger();
+                rightScore = Readings.integer(reader);
             } else if (reader.atomIs("tl")) {
                 side = isOwnTeam() ? Optional.of(TeamSide.LEFT) : side;
             } else if (reader.atomIs("tr")) {
                 side = isOwnTeam() ? Optional.of(TeamSide.RIGHT) : side;
             }
         }
-        if (isComplete()) {
+        if (Readings.isComplete(reader)) {
             OptionalInt own = side.isPresent() ? OptionalInt.of(number) : OptionalInt.empty();
             gameState = Optional.of(new GameState(own, side, leftScore, rightScore, playSeconds, playMode));
         }
@@ -225,10 +192,6 @@ public final class LeagueMessageReader {
 
     private boolean isOwnTeam() {
         return reader.next() == Token.ATOM && reader.atomIs(team);
-    }
-
-    private OptionalInt readInteger() {
-        return reader.nextNumber() ? OptionalInt.of(reader.integer()) : OptionalInt.empty();
     }
 
     /** Parses {@code (MIC NAME (DIRECTION TEXT) …)}, with the texts in Base64. */
@@ -250,10 +213,6 @@ public final class LeagueMessageReader {
         } catch (IllegalArgumentException unreadable) {
             return Optional.empty();
         }
-    }
-
-    private boolean isComplete() {
-        return reader.token() == Token.CLOSE;
     }
 
     private static String nameOf(Landmark landmark) {

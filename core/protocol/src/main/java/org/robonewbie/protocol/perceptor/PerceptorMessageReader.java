@@ -1,6 +1,7 @@
 package org.robonewbie.protocol.perceptor;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -25,17 +26,18 @@ import org.robonewbie.protocol.sexp.Token;
  */
 public final class PerceptorMessageReader {
 
-    private static final Joint[] JOINTS = Joint.values();
+    private static final List<String> JOINT_NAMES =
+            Arrays.stream(Joint.values()).map(Joint::perceptorName).toList();
     private static final int MAX_HEARD = 100;
 
     private final SexpReader reader = new SexpReader();
     private final KnownWords words = new KnownWords();
+    private final OrderedNames joints = new OrderedNames(JOINT_NAMES);
     private final VisionReader visionReader = new VisionReader(reader, words, Landmark::simSparkName);
     private final List<Heard> heard = new ArrayList<>();
     private final List<ExtraHinge> extraHinges = new ArrayList<>();
     private double[] jointAngles = new double[Joint.COUNT];
     private int presentJoints;
-    private int expectedJoint;
     private OptionalDouble seconds = OptionalDouble.empty();
     private Optional<GameState> gameState = Optional.empty();
     private Optional<Vector3> gyro = Optional.empty();
@@ -96,28 +98,16 @@ public final class PerceptorMessageReader {
         } else if (reader.atomIs("See")) {
             vision = visionReader.read();
         } else if (reader.atomIs("GYR")) {
-            gyro = readTorso("rt");
+            gyro = Readings.vectorIn(reader, "rt");
         } else if (reader.atomIs("ACC")) {
-            accelerometer = readTorso("a");
+            accelerometer = Readings.vectorIn(reader, "a");
         } else if (reader.atomIs("GS")) {
             readGameState();
         } else if (reader.atomIs("hear")) {
             readHeard();
         } else if (reader.atomIs("time")) {
-            readTime();
-        }
-    }
-
-    private void readTime() {
-        OptionalDouble now = OptionalDouble.empty();
-        int depth = reader.depth();
-        while (reader.nextList(depth)) {
-            if (reader.atomIs("now")) {
-                now = Readings.number(reader);
-            }
-        }
-        if (isComplete() && now.isPresent()) {
-            seconds = now;
+            OptionalDouble now = Readings.numberIn(reader, "now");
+            seconds = now.isPresent() ? now : seconds;
         }
     }
 
@@ -135,22 +125,18 @@ public final class PerceptorMessageReader {
             } else if (reader.atomIs("pm")) {
                 playMode = reader.next() == Token.ATOM ? words.of(reader) : playMode;
             } else if (reader.atomIs("sl")) {
-                leftScore = readInteger();
+                leftScore = Readings.integer(reader);
             } else if (reader.atomIs("sr")) {
-                rightScore = readInteger();
+                rightScore = Readings.integer(reader);
             } else if (reader.atomIs("unum")) {
-                number = readInteger();
+                number = Readings.integer(reader);
             } else if (reader.atomIs("team")) {
                 side = readSide();
             }
         }
-        if (isComplete()) {
+        if (Readings.isComplete(reader)) {
             gameState = Optional.of(new GameState(number, side, leftScore, rightScore, playSeconds, playMode));
         }
-    }
-
-    private OptionalInt readInteger() {
-        return reader.nextNumber() ? OptionalInt.of(reader.integer()) : OptionalInt.empty();
     }
 
     private Optional<TeamSide> readSide() {
@@ -173,7 +159,7 @@ public final class PerceptorMessageReader {
             numbers[count] = reader.isNumber() ? OptionalDouble.of(reader.number()) : OptionalDouble.empty();
             count++;
         }
-        if (!isComplete() || count < 3 || heard.size() >= MAX_HEARD) {
+        if (!Readings.isComplete(reader) || count < 3 || heard.size() >= MAX_HEARD) {
             return;
         }
         Optional<String> team = count == 4 ? Optional.of(atoms[0]) : Optional.empty();
@@ -184,17 +170,6 @@ public final class PerceptorMessageReader {
         }
     }
 
-    private Optional<Vector3> readTorso(String name) {
-        Optional<Vector3> reading = Optional.empty();
-        int depth = reader.depth();
-        while (reader.nextList(depth)) {
-            if (reader.atomIs(name)) {
-                reading = Readings.vector(reader);
-            }
-        }
-        return isComplete() ? reading : Optional.empty();
-    }
-
     private void readHinge() {
         int joint = -1;
         String extraName = "";
@@ -203,14 +178,14 @@ public final class PerceptorMessageReader {
         int depth = reader.depth();
         while (reader.nextList(depth)) {
             if (reader.atomIs("n") && reader.next() == Token.ATOM) {
-                joint = findJoint();
+                joint = joints.indexOf(reader);
                 extraName = joint < 0 ? words.of(reader) : "";
             } else if (reader.atomIs("ax") && reader.nextNumber()) {
                 degrees = reader.number();
                 degreesSeen = true;
             }
         }
-        if (!isComplete() || !degreesSeen) {
+        if (!Readings.isComplete(reader) || !degreesSeen) {
             return;
         }
         if (joint >= 0) {
@@ -219,21 +194,6 @@ public final class PerceptorMessageReader {
         } else if (!extraName.isEmpty()) {
             extraHinges.add(new ExtraHinge(extraName, degrees));
         }
-    }
-
-    /**
-     * Finds the joint named by the current atom. Starts after the previous joint, because servers send joints in a
-     * fixed order.
-     */
-    private int findJoint() {
-        for (int i = 0; i < JOINTS.length; i++) {
-            int candidate = (expectedJoint + i) % JOINTS.length;
-            if (reader.atomIs(JOINTS[candidate].perceptorName())) {
-                expectedJoint = candidate + 1;
-                return candidate;
-            }
-        }
-        return -1;
     }
 
     private void readForce() {
@@ -250,7 +210,7 @@ public final class PerceptorMessageReader {
                 force = Readings.vector(reader);
             }
         }
-        if (isComplete() && point.isPresent() && force.isPresent()) {
+        if (Readings.isComplete(reader) && point.isPresent() && force.isPresent()) {
             setForce(foot, Optional.of(new FootForce(point.get(), force.get())));
         }
     }
@@ -265,9 +225,5 @@ public final class PerceptorMessageReader {
                 // a sensor of an unknown robot type
             }
         }
-    }
-
-    private boolean isComplete() {
-        return reader.token() == Token.CLOSE;
     }
 }
