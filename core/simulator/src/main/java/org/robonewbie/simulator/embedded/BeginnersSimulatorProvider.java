@@ -34,11 +34,8 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         try {
             LocalProgram program = new LocalProgram(simulator, request.agent(), console);
             Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator, program);
-            String hint = view.map(EnterKey::listen).orElse("");
-            if (request.openBrowser()) {
-                view.ifPresent(opened -> Browser.openUnlessWatched(opened, console));
-            }
-            return new ViewedSimulator(simulator, program, view, hint);
+            return new ViewedSimulator(
+                    simulator, program, view.map(opened -> OpenedView.of(opened, request.openBrowser())));
         } catch (IOException e) {
             simulator.close();
             throw e;

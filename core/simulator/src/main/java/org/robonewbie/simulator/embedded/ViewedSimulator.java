@@ -13,16 +13,15 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     private final Simulator simulator;
     private final LocalProgram program;
-    private final Optional<Viewer.View> view;
-    private final String hint;
+    private final Optional<OpenedView> view;
     private final Optional<TelemetryServer> telemetryServer;
 
-    ViewedSimulator(Simulator simulator, LocalProgram program, Optional<Viewer.View> view, String hint) {
+    ViewedSimulator(Simulator simulator, LocalProgram program, Optional<OpenedView> view) {
         this.simulator = simulator;
         this.program = program;
         this.view = view;
-        this.hint = hint;
-        this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
+        this.telemetryServer = view.flatMap(
+                opened -> listen(simulator.agentPort(), opened.view().telemetry()));
     }
 
     /**
@@ -48,19 +47,19 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     @Override
     public Optional<String> studioAddress() {
-        return view.map(opened -> opened.oneTimeAddress() + hint);
+        return view.map(OpenedView::address);
     }
 
     @Override
     public TelemetrySink telemetry() {
-        return view.map(Viewer.View::telemetry).orElse(TelemetrySink.NONE);
+        return view.map(opened -> opened.view().telemetry()).orElse(TelemetrySink.NONE);
     }
 
     @Override
     public void close() {
         program.awaitReplacement();
         telemetryServer.ifPresent(TelemetryServer::close);
-        view.ifPresent(Viewer.View::close);
+        view.ifPresent(opened -> opened.view().close());
         simulator.close();
     }
 }

@@ -6,7 +6,7 @@ import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
-import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.simulator.embedded.OpenedView;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
 /**
@@ -16,14 +16,9 @@ import org.robonewbie.studio.monitor.MonitoredSimulation;
  * @param started the server, if this program has started it
  * @param match the match as its monitors see it; empty without a view
  * @param view the studio; empty without a view
- * @param hint text to print after the studio's address
  */
 record LeagueSimulator(
-        int agentPort,
-        Optional<LeagueServer> started,
-        Optional<MonitoredSimulation> match,
-        Optional<Viewer.View> view,
-        String hint)
+        int agentPort, Optional<LeagueServer> started, Optional<MonitoredSimulation> match, Optional<OpenedView> view)
         implements EmbeddedSimulator {
 
     static final String HOST = "127.0.0.1";
@@ -46,17 +41,17 @@ record LeagueSimulator(
 
     @Override
     public Optional<String> studioAddress() {
-        return view.map(opened -> opened.oneTimeAddress() + hint);
+        return view.map(OpenedView::address);
     }
 
     @Override
     public TelemetrySink telemetry() {
-        return view.map(Viewer.View::telemetry).orElse(TelemetrySink.NONE);
+        return view.map(opened -> opened.view().telemetry()).orElse(TelemetrySink.NONE);
     }
 
     @Override
     public void close() {
-        view.ifPresent(Viewer.View::close);
+        view.ifPresent(opened -> opened.view().close());
         match.ifPresent(MonitoredSimulation::close);
         started.ifPresent(LeagueServer::close);
     }

@@ -7,10 +7,7 @@ import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
-import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.embedded.Browser;
-import org.robonewbie.simulator.embedded.EnterKey;
-import org.robonewbie.simulator.embedded.Viewer;
+import org.robonewbie.simulator.embedded.OpenedView;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
@@ -36,7 +33,7 @@ public final class LeagueSimulatorProvider implements SimulatorProvider {
                 isRunning(agentPort) ? Optional.empty() : Optional.of(LeagueServer.start(agentPort, monitorPort));
         try {
             return request.headless()
-                    ? new LeagueSimulator(agentPort, started, Optional.empty(), Optional.empty(), "")
+                    ? new LeagueSimulator(agentPort, started, Optional.empty(), Optional.empty())
                     : watched(request, started, monitorPort);
         } catch (IOException | RuntimeException failed) {
             started.ifPresent(LeagueServer::close);
@@ -50,12 +47,8 @@ public final class LeagueSimulatorProvider implements SimulatorProvider {
                 LeagueSimulator.HOST,
                 monitorPort,
                 () -> RecordingRepository.ofUser().flatMap(recordings -> recordings.next(request.agent())));
-        Viewer.View view = new StudioViewer().open(match, 0);
-        String hint = EnterKey.listen(view);
-        if (request.openBrowser()) {
-            Browser.openUnlessWatched(view, Console.standard());
-        }
-        return new LeagueSimulator(request.agentPort(), started, Optional.of(match), Optional.of(view), hint);
+        OpenedView view = OpenedView.of(new StudioViewer().open(match, 0), request.openBrowser());
+        return new LeagueSimulator(request.agentPort(), started, Optional.of(match), Optional.of(view));
     }
 
     private static boolean isRunning(int agentPort) {
