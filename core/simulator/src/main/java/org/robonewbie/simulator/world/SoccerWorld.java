@@ -2,7 +2,7 @@ package org.robonewbie.simulator.world;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.robonewbie.nao.Cycle;
@@ -42,7 +42,7 @@ public final class SoccerWorld implements Restorable {
     private final Ball ball;
     private final PlacedThings things;
     /** Models other than the NAO's that robots of this world have or had. */
-    private final Set<RobotModel> models = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Set<RobotModel> models = new LinkedHashSet<>();
 
     private final List<Robot> robots = new ArrayList<>();
     private final List<Robot> readOnlyRobots = Collections.unmodifiableList(robots);
