@@ -20,6 +20,9 @@ final class StartDialogue {
 
     private static final String MONITOR_START = "((";
     private static final String LEAGUE_MONITOR_START = "((RSMP ";
+    private static final String LEAGUE_ADVICE = "RCSSServerMJ, the server of today's league, which does not speak"
+            + " SimSpark's protocol: start \"robonewbie simulator\" instead, or play there through"
+            + " \"python -m robonewbie.league bridge\".";
     private static final int MAX_MESSAGES = 100;
 
     private final MessagePort port;
@@ -44,9 +47,8 @@ final class StartDialogue {
         answer(Optional.of(CreateRobot.of(options.type())));
         if (!port.receive()) {
             throw new IOException(
-                    "it closed the connection at the first message. Either it has too many agents, or it is"
-                            + " RCSSServerMJ, the server of today's league, which does not speak SimSpark's protocol: start"
-                            + " \"robonewbie simulator\" instead, or play there through \"python -m robonewbie.league bridge\".");
+                    "it closed the connection at the first message. Either it has too many agents, or it is "
+                            + LEAGUE_ADVICE);
         }
         refuseMonitorPort();
         robot.sense(port.message());
@@ -67,10 +69,7 @@ final class StartDialogue {
     /** Monitor messages start with a list of lists; messages to agents start with a named list. */
     private void refuseMonitorPort() throws IOException {
         if (robot.sensors().buffer().startsWith(LEAGUE_MONITOR_START)) {
-            throw new IOException(
-                    "this is the monitor port of RCSSServerMJ, the server of today's league, which does not speak"
-                            + " SimSpark's protocol: start \"robonewbie simulator\" instead, or play there through"
-                            + " \"python -m robonewbie.league bridge\".");
+            throw new IOException("this is the monitor port of " + LEAGUE_ADVICE);
         } else if (robot.sensors().buffer().startsWith(MONITOR_START)) {
             throw new IOException(
                     "this is the monitor port of a SimSpark server, which is for watching: join at its agent port,"

@@ -17,7 +17,7 @@ class MonitorTraceTest {
 
     private static final int SECOND_FULL_MESSAGE = 41;
 
-    private final List<String> recorded = RecordedMonitorMessages.load();
+    private final List<String> recorded = RecordedMonitorMessages.load(RecordedMonitorMessages.SIMSPARK);
     private final MonitoredWorld world = new MonitoredWorld();
 
     @Test

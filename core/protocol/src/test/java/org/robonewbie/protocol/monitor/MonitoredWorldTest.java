@@ -124,24 +124,13 @@ class MonitoredWorldTest {
 
     @Test
     void damagedMessagesNeverStopTheReader() {
-        List<String> recorded = RecordedMonitorMessages.load();
+        List<String> recorded = RecordedMonitorMessages.load(RecordedMonitorMessages.SIMSPARK);
         Random random = new Random(7);
 
         for (int i = 0; i < 3000; i++) {
-            MessageBuffer damaged = damage(recorded.get(i % recorded.size()), random);
+            MessageBuffer damaged = RecordedMonitorMessages.damaged(recorded.get(i % recorded.size()), random);
             assertThatCode(() -> world.read(damaged)).doesNotThrowAnyException();
         }
         assertThat(world.read(message(recorded.get(0)))).isTrue();
-    }
-
-    private static MessageBuffer damage(String text, Random random) {
-        MessageBuffer message = message(text);
-        String replacements = "() 0-9ne;Tx\n\"";
-        for (int k = random.nextInt(4); k >= 0; k--) {
-            message.bytes()[random.nextInt(message.length())] =
-                    (byte) replacements.charAt(random.nextInt(replacements.length()));
-        }
-        message.resize(random.nextBoolean() ? message.length() : random.nextInt(message.length()));
-        return message;
     }
 }

@@ -22,8 +22,8 @@ class RsmpTraceTest {
 
     @Test
     void everyMessageIsUnderstood() {
-        for (String resource : List.of(RecordedRsmpMessages.T1, RecordedRsmpMessages.T1_K1_ANT)) {
-            for (String line : RecordedRsmpMessages.load(resource)) {
+        for (String resource : List.of(RecordedMonitorMessages.T1, RecordedMonitorMessages.T1_K1_ANT)) {
+            for (String line : RecordedMonitorMessages.load(resource)) {
                 assertThat(world.read(message(line))).as("%s", world.problem()).isTrue();
             }
         }
@@ -31,7 +31,8 @@ class RsmpTraceTest {
 
     @Test
     void firstMessageTellsPitchAndRobot() {
-        world.read(message(RecordedRsmpMessages.load(RecordedRsmpMessages.T1).get(0)));
+        world.read(
+                message(RecordedMonitorMessages.load(RecordedMonitorMessages.T1).get(0)));
 
         assertThat(world.environment().measure("FieldWidth")).hasValue(36);
         assertThat(world.environment().playModes()).hasSize(23);
@@ -57,7 +58,7 @@ class RsmpTraceTest {
 
     @Test
     void changesMoveJointsAndGame() {
-        RecordedRsmpMessages.load(RecordedRsmpMessages.T1).forEach(line -> world.read(message(line)));
+        RecordedMonitorMessages.load(RecordedMonitorMessages.T1).forEach(line -> world.read(message(line)));
 
         assertThat(world.gameState().playMode()).contains(PlayMode.KICK_OFF_LEFT);
         assertThat(world.gameState().timeSeconds()).isEqualTo(5.04);
@@ -70,7 +71,7 @@ class RsmpTraceTest {
 
     @Test
     void modelsAreRecognised() {
-        RecordedRsmpMessages.load(RecordedRsmpMessages.T1_K1_ANT).forEach(line -> world.read(message(line)));
+        RecordedMonitorMessages.load(RecordedMonitorMessages.T1_K1_ANT).forEach(line -> world.read(message(line)));
 
         List<RsmpRobot> robots = world.robots();
         assertThat(robots)
@@ -89,7 +90,7 @@ class RsmpTraceTest {
     @Test
     void jointAnglesPutTheBodiesWhereTheServerHasThem() {
         world.read(message(
-                RecordedRsmpMessages.load(RecordedRsmpMessages.T1_K1_ANT).get(0)));
+                RecordedMonitorMessages.load(RecordedMonitorMessages.T1_K1_ANT).get(0)));
 
         Vector3 t1 = bodyPosition(world.robots().get(0).state(), "left_foot_link");
         Vector3 k1 = bodyPosition(world.robots().get(1).state(), "right_foot_link");

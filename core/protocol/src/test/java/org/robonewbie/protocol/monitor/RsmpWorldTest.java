@@ -59,7 +59,8 @@ class RsmpWorldTest {
         assertThat(either.gameState().teamLeft()).contains("Blue");
 
         MonitoredWorld simSpark = new MonitoredWorld();
-        simSpark.read(message(RecordedMonitorMessages.load().get(0)));
+        simSpark.read(message(
+                RecordedMonitorMessages.load(RecordedMonitorMessages.SIMSPARK).get(0)));
         assertThat(simSpark.rsmp()).isEmpty();
         assertThat(simSpark.read(message(full("")))).isFalse();
         assertThat(simSpark.rsmp()).isEmpty();
@@ -236,11 +237,11 @@ class RsmpWorldTest {
 
     @Test
     void damagedMessagesNeverStopTheReader() {
-        List<String> recorded = RecordedRsmpMessages.load(RecordedRsmpMessages.T1_K1_ANT);
+        List<String> recorded = RecordedMonitorMessages.load(RecordedMonitorMessages.T1_K1_ANT);
         Random random = new Random(7);
 
         for (int i = 0; i < 2000; i++) {
-            MessageBuffer damaged = damage(recorded.get(i % recorded.size()), random);
+            MessageBuffer damaged = RecordedMonitorMessages.damaged(recorded.get(i % recorded.size()), random);
             assertThatCode(() -> {
                         world.read(damaged);
                         world.robots();
@@ -265,16 +266,5 @@ class RsmpWorldTest {
 
     private static String changes(String nodes) {
         return "((RSMP 1 0)((sg 1 0)diff(nd" + nodes + ")))";
-    }
-
-    private static MessageBuffer damage(String text, Random random) {
-        MessageBuffer message = message(text);
-        String replacements = "() 0-9ne;Tx\n\"";
-        for (int k = random.nextInt(4); k >= 0; k--) {
-            message.bytes()[random.nextInt(message.length())] =
-                    (byte) replacements.charAt(random.nextInt(replacements.length()));
-        }
-        message.resize(random.nextBoolean() ? message.length() : random.nextInt(message.length()));
-        return message;
     }
 }
