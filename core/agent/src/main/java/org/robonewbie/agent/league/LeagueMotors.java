@@ -45,7 +45,9 @@ final class LeagueMotors implements Locomotion {
     private final double[] startDegrees;
     private final double[] armDegrees;
     private final double[] degreesPerSecond;
-    private double[] sentDegrees;
+    private final double[] sentDegrees;
+    private final double[] stiffness;
+    private final double[] damping;
     private TorsoMotion torso = TorsoMotion.AT_REST;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
@@ -72,7 +74,23 @@ final class LeagueMotors implements Locomotion {
         this.armDegrees = new double[joints];
         this.degreesPerSecond = new double[joints];
         this.sentDegrees = new double[joints];
+        this.stiffness = new double[joints];
+        this.damping = new double[joints];
+        setGainsOfStance();
         placed();
+    }
+
+    private void setGainsOfStance() {
+        for (RobotJoint joint : model.joints()) {
+            if (joint.motor() instanceof Motor.Torque motor) {
+                stiffness[joint.index()] = motor.stiffness();
+                damping[joint.index()] = joint.name().contains("Ankle") ? FOOT_DAMPING : motor.damping();
+            }
+        }
+        for (SharedJoint joint : shared) {
+            stiffness[joint.index()] = ARM_STIFFNESS;
+            damping[joint.index()] = ARM_DAMPING;
+        }
     }
 
     /** {@return the joints of arms and head, which the program can move} */
@@ -148,10 +166,14 @@ final class LeagueMotors implements Locomotion {
         double share = Math.min(1, changeSeconds / secondsOfChange);
         shared.forEach(joint -> advance(joint, share));
         double[] targets = targets(share);
-        for (RobotJoint joint : model.joints()) {
-            int i = joint.index();
+        for (int i = 0; i < targets.length; i++) {
             sentDegrees[i] = startDegrees[i] + share * (targets[i] - startDegrees[i]);
-            write(joint, sentDegrees[i], writer);
+            if (walking) {
+                LearnedWalk learned = walk.orElseThrow();
+                writer.motor(i, sentDegrees[i], 0, learned.stiffness(i), learned.damping(i), 0);
+            } else {
+                writer.motor(i, sentDegrees[i], degreesPerSecond[i], stiffness[i], damping[i], 0);
+            }
         }
     }
 
@@ -176,7 +198,7 @@ final class LeagueMotors implements Locomotion {
 
     private void advance(SharedJoint joint, double share) {
         int i = joint.index();
-        if (degreesPerSecond[i] != 0 && (joint.isArm() ? share == 1 && !walking : true)) {
+        if (degreesPerSecond[i] != 0 && (!joint.isArm() || (share == 1 && !walking))) {
             double next = armDegrees[i] + degreesPerSecond[i] * Cycle.SECONDS;
             double near = Math.max(degrees[i] - MAX_LEAD_DEGREES, Math.min(degrees[i] + MAX_LEAD_DEGREES, next));
             armDegrees[i] = model.joints().get(i).clampDegrees(near);
@@ -194,19 +216,6 @@ final class LeagueMotors implements Locomotion {
                 .filter(joint -> !joint.isArm())
                 .forEach(head -> targets[head.index()] = armDegrees[head.index()]);
         return targets;
-    }
-
-    private void write(RobotJoint joint, double target, LeagueMessageWriter writer) {
-        int i = joint.index();
-        if (walking) {
-            LearnedWalk learned = walk.orElseThrow();
-            writer.motor(i, target, 0, learned.stiffness(i), learned.damping(i), 0);
-        } else if (shared.stream().anyMatch(each -> each.index() == i)) {
-            writer.motor(i, target, degreesPerSecond[i], ARM_STIFFNESS, ARM_DAMPING, 0);
-        } else if (joint.motor() instanceof Motor.Torque motor) {
-            double damping = joint.name().contains("Ankle") ? FOOT_DAMPING : motor.damping();
-            writer.motor(i, target, 0, motor.stiffness(), damping, 0);
-        }
     }
 
     private static double finite(double value, double otherwise) {

@@ -9,6 +9,7 @@ import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.policy.file.PolicyFile;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
@@ -33,7 +34,7 @@ import org.robonewbie.robot.RobotModel;
  */
 public final class LeaguePort implements MessagePort {
 
-    private static final double CYCLES_PER_SECOND = 50;
+    private static final double SECONDS_TO_SETTLE = LeagueMotors.SECONDS_TO_STANCE + 1;
 
     private final AgentLink link;
     private final MessageBuffer received;
@@ -82,7 +83,7 @@ public final class LeaguePort implements MessagePort {
 
     @Override
     public int messagesToSettle() {
-        return (int) (CYCLES_PER_SECOND * (LeagueMotors.SECONDS_TO_STANCE + 1));
+        return (int) PortableMath.round(SECONDS_TO_SETTLE / Cycle.SECONDS);
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.robonewbie.agent.league;
 
 import java.util.List;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.walk.WalkVelocity;
@@ -21,13 +22,17 @@ import org.robonewbie.robot.RobotModel;
 final class LearnedWalk {
 
     private static final int JOINTS_PER_LEG = 6;
+    private static final int OUTPUTS = 2 * JOINTS_PER_LEG;
+    private static final int INPUTS = 10 + 3 * OUTPUTS;
     private static final int ACTIONS_TO_FULL_SPEED = 12;
     private static final double GRAVITY_TRUST = Cycle.SECONDS / 0.8;
     private static final double MIN_ACCELERATION = 5;
     private static final double MAX_ACCELERATION = 20;
 
     private final RobotModel model;
-    private final Policy policy;
+    private final InferenceSession session;
+    private final int cyclesPerAction;
+    private final double[] units;
     private final List<RobotJoint> legs;
     private final double[] stance;
     private final double[] stiffness;
@@ -52,7 +57,9 @@ final class LearnedWalk {
      */
     LearnedWalk(Policy policy, RobotModel model) {
         this.model = model;
-        this.policy = policy;
+        this.session = policy.network().session();
+        this.cyclesPerAction = policy.cyclesPerAction();
+        this.units = policy.inputs().stream().mapToDouble(LearnedWalk::factor).toArray();
         int joints = model.joints().size();
         this.stance = policy.numbers("stance-degrees", joints);
         this.stiffness = policy.numbers("stiffness", joints);
@@ -67,9 +74,9 @@ final class LearnedWalk {
         this.rangeDegrees =
                 policy.outputs().stream().mapToDouble(LearnedWalk::factor).toArray();
         this.action = new double[legs.size()];
-        if (legs.size() != 2 * JOINTS_PER_LEG || policy.inputs().size() != 10 + 3 * legs.size()) {
-            throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has "
-                    + policy.inputs().size() + " inputs and " + legs.size() + " outputs, but a walk needs 46 and 12.");
+        if (units.length != INPUTS || legs.size() != OUTPUTS) {
+            throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + units.length
+                    + " inputs and " + legs.size() + " outputs, but a walk needs " + INPUTS + " and " + OUTPUTS + ".");
         }
     }
 
@@ -114,6 +121,7 @@ final class LearnedWalk {
 
     /** Starts to walk from the stance. */
     void begin() {
+        session.reset();
         action = new double[legs.size()];
         command = WalkVelocity.ZERO;
         cycle = 0;
@@ -130,7 +138,7 @@ final class LearnedWalk {
      * @param degreesPerSecond measured speeds of all joints
      */
     double[] targets(WalkVelocity wanted, Vector3 gyro, double[] degrees, double[] degreesPerSecond) {
-        if (cycle % policy.cyclesPerAction() == 0) {
+        if (cycle % cyclesPerAction == 0) {
             command = command.towards(
                     wanted.within(most, mostBackward),
                     new WalkVelocity(
@@ -140,7 +148,7 @@ final class LearnedWalk {
             phase = amplitude > 0 ? (phase + 1) % actionsPerStride : 0;
             double change = (command.isZero() ? -1.0 : 1.0) / actionsPerStride;
             amplitude = Math.max(0, Math.min(1, amplitude + change));
-            action = policy.network().apply(observation(gyro, degrees, degreesPerSecond));
+            action = session.apply(observation(gyro, degrees, degreesPerSecond));
         }
         cycle++;
         double[] targets = stance();
@@ -177,25 +185,26 @@ final class LearnedWalk {
     }
 
     private double[] observation(Vector3 gyro, double[] degrees, double[] degreesPerSecond) {
-        double[] inputs = new double[policy.inputs().size()];
+        double[] values = new double[INPUTS];
         int next = 0;
-        for (double value : new double[] {up.x() / 0.3, up.y() / 0.3, gyro.x() / 100, gyro.y() / 100, gyro.z() / 100}) {
-            inputs[next++] = value;
+        for (double value : new double[] {up.x(), up.y(), gyro.x(), gyro.y(), gyro.z()}) {
+            values[next++] = value;
         }
         for (RobotJoint leg : legs) {
-            inputs[next++] = (degrees[leg.index()] - stance[leg.index()]) / 30;
+            values[next++] = degrees[leg.index()] - stance[leg.index()];
         }
         for (RobotJoint leg : legs) {
-            inputs[next++] = degreesPerSecond[leg.index()] / 150;
+            values[next++] = degreesPerSecond[leg.index()];
         }
         for (double last : action) {
-            inputs[next++] = last;
+            values[next++] = last;
         }
-        inputs[next++] = command.forward() / most.forward();
-        inputs[next++] = command.left() / most.left();
-        inputs[next++] = command.turn() / most.turn();
-        inputs[next++] = sine();
-        inputs[next] = cosine();
-        return inputs;
+        for (double value : new double[] {command.forward(), command.left(), command.turn(), sine(), cosine()}) {
+            values[next++] = value;
+        }
+        for (int i = 0; i < INPUTS; i++) {
+            values[i] /= units[i];
+        }
+        return values;
     }
 }
