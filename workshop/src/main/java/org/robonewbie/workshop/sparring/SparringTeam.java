@@ -13,7 +13,7 @@ enum SparringTeam {
     TEAM,
     /** The example team at the commit of {@link FrozenTeam}. */
     BEFORE,
-    /** Kicks at once. */
+    /** Players that kick the ball as soon as they reach it. */
     KICKERS,
     /** Three players dribble. */
     PACK,

@@ -17,7 +17,7 @@ public interface EmbeddedSimulator extends AutoCloseable {
     AgentLink connect() throws IOException;
 
     /**
-     * {@return whether it is a server in a process of its own, which never ends the run by itself and should be joined by one robot at a
+     * {@return whether the simulator is a separate server: it does not end the run by itself, and robots should join it one at a
      * time}
      */
     default boolean isServer() {

@@ -1,8 +1,8 @@
 package org.robonewbie.protocol.monitor;
 
 /**
- * Thrown when a monitor message is malformed. The exception has no stack trace, because the reader handles it at once and a hostile
- * server could cause many.
+ * Thrown when a monitor message is malformed. It has no stack trace, since the reader catches it immediately and a misbehaving
+ * server could trigger it in every message.
  */
 final class MalformedMessageException extends Exception {
 

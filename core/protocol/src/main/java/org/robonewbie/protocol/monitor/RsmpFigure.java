@@ -18,7 +18,7 @@ import org.robonewbie.robot.RobotState;
  * The bodies of one robot in an RSMP scene, with the model that they belong to.
  *
  * <p>RSMP does not name models. A shipped model is recognised by its bodies: each lies where the model puts it at some angle of its
- * joint. Any other robot gets a model of its own from the scene, see {@link RsmpModel}.
+ * joint. Any other robot gets a model built from the scene, see {@link RsmpModel}.
  */
 final class RsmpFigure {
 

@@ -11,7 +11,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The installed RCSSServerMJ, run as a process of its own. */
+/** The installed RCSSServerMJ, run as a separate process. */
 public final class LeagueServer implements AutoCloseable {
 
     /** The command that installs the server. */
@@ -46,7 +46,7 @@ public final class LeagueServer implements AutoCloseable {
      * @param agentPort TCP port for agents
      * @param monitorPort TCP port for monitors
      * @return the running server
-     * @throws IOException if it is not installed or ends at once; the message says what to do
+     * @throws IOException if it is not installed or exits during start-up; the message says what to do
      */
     public static LeagueServer start(int agentPort, int monitorPort) throws IOException {
         Path command = find().orElseThrow(() -> new IOException("No RCSSServerMJ is running on agent port " + agentPort

@@ -100,7 +100,7 @@ export class InstancedRobots {
   }
 }
 
-/** Designs by the JSON of the model, because each scene message brings models of its own. @type {Map<string, Design>} */
+/** Designs by the JSON of the model, because each scene message contains new model objects. @type {Map<string, Design>} */
 const designs = new Map();
 
 /** @param {RobotModel} model @returns {Design} */

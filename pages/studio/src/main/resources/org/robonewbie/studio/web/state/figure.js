@@ -19,7 +19,7 @@ const MARGIN = 0.04;
 /** @type {WeakMap<RobotModel, Figure>} */
 const known = new WeakMap();
 
-/** @param {RobotModel} model @returns {boolean} whether the robot is a NAO, which has a figure of its own */
+/** @param {RobotModel} model @returns {boolean} whether the robot is a NAO, which has a dedicated design */
 export const isNao = (model) => model.links[0].shapes === undefined;
 
 /** @param {RobotModel} model @returns {Figure} */

@@ -9,7 +9,7 @@
  * @property {string} name
  * @property {number[]} position centre in the construction pose, relative to the torso's centre, metres
  * @property {number[]} size
- * @property {Shape[]} [shapes] shapes to draw; absent for the NAO, which has a figure of its own
+ * @property {Shape[]} [shapes] shapes to draw; absent for the NAO, which has a dedicated design
  *
  * @typedef {object} Shape
  * @property {'box' | 'sphere' | 'capsule'} kind a capsule lies along its z axis
