@@ -78,6 +78,23 @@ slow('the joints of a new puppet are in reach', async (t) => {
   await user.until(() => slider.isIntersectingViewport({ threshold: 1 }));
 });
 
+slow('a button at the lower edge of the tools is clicked although there is more below', async (t) => {
+  const { user } = await openField(t);
+  const add = await user.finds('button', 'Add a puppet');
+  const [x, y] = await add.evaluate((button) => {
+    const tools = button.closest('#side');
+    const { bottom } = tools.getBoundingClientRect();
+    tools.scrollTop += button.getBoundingClientRect().bottom - bottom;
+    const { left, width } = button.getBoundingClientRect();
+    return [left + width / 2, bottom - 6];
+  });
+  await user.page.waitForSelector('#side[data-more]');
+
+  await user.page.mouse.click(x, y);
+
+  await user.sees('You are steering Puppets 1');
+});
+
 slow('agents join at the port that the hint names, and a reset frees the names of teams that have left', async (t) => {
   const studio = await openField(t);
   const { user } = studio;

@@ -8,7 +8,7 @@ import { openStudio } from '../user.js';
  * it, a coarse page takes a click near the lower edge of the panel for one on the panel itself.
  */
 async function openField(t) {
-  const studio = await openStudio(t, { speed: 2, height: 1200 });
+  const studio = await openStudio(t, { speed: 2 });
   const { user } = studio;
   await user.clicks('button', 'Tools ▾');
   await user.clicks('button', 'Add a puppet');
