@@ -42,6 +42,31 @@ slow('a new motion leaves the unnamed one before it in the list', async (t) => {
   assert.match(await readFile(second, 'utf8'), /^500 -20/);
 });
 
+slow('a change made while another motion is being opened stays with the motion that is left', async (t) => {
+  const files = { mine: ONE_KEYFRAME, other: ONE_KEYFRAME };
+  const { user } = await openMotion(t, { files, before: holdBackTheOther });
+  await user.clicks('button', 'other');
+  await user.page.waitForFunction(() => window.answer);
+
+  await turns(user, 'neck yaw', '44');
+  await user.page.evaluate(() => window.answer());
+
+  await readsAngle(user, 'neck yaw', '0');
+  await user.clicks('button', 'mine •');
+  await readsAngle(user, 'neck yaw', '44');
+});
+
+/** Keeps back the content of the motion `other` once, until the function `answer` is called. */
+function holdBackTheOther() {
+  const ask = window.fetch;
+  window.fetch = async (...request) => {
+    if (!window.answer && /motions\/other$/.test(String(request[0]))) {
+      await new Promise((answer) => Object.assign(window, { answer }));
+    }
+    return ask(...request);
+  };
+}
+
 slow('an unnamed motion is saved under a name and its draft goes', async (t) => {
   const studio = await openMine(t);
   const { user } = studio;

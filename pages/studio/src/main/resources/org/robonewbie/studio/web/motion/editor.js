@@ -40,6 +40,7 @@ export class Editor {
    * @param {object} listener
    * @param {() => void} listener.changed requests a redraw
    * @param {(text: string) => void} listener.note
+   * @param {(isOpening: boolean) => void} listener.opening
    */
   constructor(body, files, listener) {
     this.state = initialEditor(body);
@@ -190,27 +191,53 @@ export class Editor {
    * @param {string} name
    */
   async open(collection, name) {
-    const request = ++this.requests;
-    if (!(await this.drafts.keep())) {
-      return;
-    }
-    const { document, version } = await this.files.read(collection, name);
     const isOwn = collection === 'motions';
-    const draft = this.list.drafts.some((each) => each.name === name)
-      ? (await this.files.read('drafts', name)).document
-      : undefined;
-    const isNew = draft !== undefined && textOf(draft) !== textOf(document);
-    if (request !== this.requests) {
-      return;
-    }
-    this.conflict = false;
-    this.isOriginal = isOwn && isUndescribed(document) && hasSkippedKeyframes(document);
-    const recovered = isNew ? draft : undefined;
-    this.drafts.kept = recovered;
-    this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
-    keepText(LAST_FILE, name);
-    if (isNew) {
-      this.listener.note(`Unsaved work on “${name}” was recovered. Undo discards it.`);
+    const read = async () => ({
+      ...(await this.files.read(collection, name)),
+      draft: this.list.drafts.some((each) => each.name === name)
+        ? (await this.files.read('drafts', name)).document
+        : undefined,
+    });
+    await this.#leaveFor(read, ({ document, version, draft }) => {
+      const recovered = draft && textOf(draft) !== textOf(document) ? draft : undefined;
+      this.conflict = false;
+      this.isOriginal = isOwn && isUndescribed(document) && hasSkippedKeyframes(document);
+      this.drafts.kept = recovered;
+      this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
+      keepText(LAST_FILE, name);
+      if (recovered) {
+        this.listener.note(`Unsaved work on “${name}” was recovered. Undo discards it.`);
+      }
+    });
+  }
+
+  /**
+   * Opens another motion, unless the draft of the current one cannot be saved or yet another one is requested meanwhile. Changes made
+   * during the reading belong to the motion that is left.
+   *
+   * @template T
+   * @param {() => Promise<T>} read
+   * @param {(read: T) => void} show
+   */
+  async #leaveFor(read, show) {
+    const request = ++this.requests;
+    this.listener.opening(true);
+    try {
+      let wanted;
+      do {
+        if (!(await this.drafts.keep())) {
+          return;
+        }
+        wanted = await read();
+        if (request !== this.requests) {
+          return;
+        }
+      } while (this.isAtRisk);
+      show(wanted);
+    } finally {
+      if (request === this.requests) {
+        this.listener.opening(false);
+      }
     }
   }
 
@@ -319,25 +346,27 @@ export class Editor {
    * @param {string} [draft] its name among the drafts, if it must be stored immediately
    */
   async #begin(document, draft = '') {
-    const request = ++this.requests;
-    if ((await this.drafts.keep()) && request === this.requests) {
-      this.isOriginal = false;
-      this.set(withFile(this.state, { name: '', draft, version: '', document }));
-    }
+    await this.#leaveFor(
+      async () => undefined,
+      () => {
+        this.isOriginal = false;
+        this.set(withFile(this.state, { name: '', draft, version: '', document }));
+      },
+    );
   }
 
   /** Opens the draft of an untitled motion. @param {string} draft */
   async openDraft(draft) {
-    const request = ++this.requests;
-    const isKept = await this.drafts.keep();
-    const { document } = await this.files.read('drafts', draft);
-    if (isKept && request === this.requests) {
-      this.conflict = false;
-      this.isOriginal = false;
-      this.drafts.kept = document;
-      this.set(withFile(this.state, { name: '', draft, version: '', document }));
-      keepText(LAST_FILE, draft);
-    }
+    await this.#leaveFor(
+      () => this.files.read('drafts', draft),
+      ({ document }) => {
+        this.conflict = false;
+        this.isOriginal = false;
+        this.drafts.kept = document;
+        this.set(withFile(this.state, { name: '', draft, version: '', document }));
+        keepText(LAST_FILE, draft);
+      },
+    );
   }
 
   /** @param {string} draft */

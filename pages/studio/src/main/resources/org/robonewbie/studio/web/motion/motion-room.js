@@ -49,11 +49,15 @@ class MotionRoom {
     this.surroundings = surroundings;
     this.body = body;
     this.stale = true;
-    this.editor = new Editor(body, files, { changed: () => this.touch(), note: surroundings.note });
+    const place = byId('motion-room');
+    this.editor = new Editor(body, files, {
+      changed: () => this.touch(),
+      note: surroundings.note,
+      opening: (isOpening) => (place.ariaBusy = String(isOpening)),
+    });
     this.run = (/** @type {Promise<unknown>} */ work) =>
       void work.catch((error) => surroundings.note(problemText(error)));
     this.orders = ordersOf(this.editor, this.run);
-    const place = byId('motion-room');
     const parts = partsOf(place);
     this.stage = new MotionStage(parts.picture, body, surroundings.quality);
     this.picture = new MotionPicture(this.stage, this.editor);
