@@ -55,7 +55,7 @@ export async function openWebEdition(t, { to = '', files, ...look } = {}) {
   return { folder, server, user, visit };
 }
 
-/** Opens an empty page for a user, of which the page must not complain until the test ends. */
+/** Opens an empty page for a user, of which the page must not complain until the test ends; call it once the servers of the page run. */
 export async function newUser(t, look = {}) {
   const { page, complaints } = await openPage(t, look);
   const isFirefox = /firefox/i.test(await page.browser().version());

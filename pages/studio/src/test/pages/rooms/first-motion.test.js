@@ -72,8 +72,8 @@ picture('the guide leads to a motion of three keyframes that an agent plays by i
 /** Starts the agent of the guide, and waits until its arm is where the last keyframe has it. */
 async function playsIt(t, text) {
   const folder = await folderWith(t, { [`motions/${NAME}.txt`]: text });
-  const user = await newUser(t);
   const address = await startCommand(t, folder, 'run', 'Agent_KeyframeDeveloper', NAME, '--seed', '1');
+  const user = await newUser(t);
   await user.visits(`${address}&quality=lowest#robot`);
   await user.reads('region', 'Left arm', /Shoulder pitch\s+(59|60)\.\d°\s[^]*Shoulder yaw\s+(69|70)\.\d°/);
 }

@@ -60,9 +60,9 @@ slow('an unknown browser says how to sign in and then connects by itself', async
 
 for (const [name, inFirefox] of Object.entries({ Chromium: false, Firefox: true })) {
   slow(`page files let ${name} in, and two studios do not log each other out`, async (t) => {
-    const user = await newUserOf(t, inFirefox);
     const folder = await folderWith(t);
     const stages = [await openStage(t, folder, { robots }), await openStage(t, folder, { robots })];
+    const user = await newUserOf(t, inFirefox);
     for (const stage of stages) {
       await user.page.goto(pathToFileURL(await stage.pageFile(folder)).href);
       await usesTheStudio(user, stage);
