@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.robonewbie.nao.Vector3;
@@ -21,7 +20,7 @@ final class FoulHistory implements Memory {
     private final long[] frozenUntil;
     private final long[] immuneUntil;
     private Optional<FoulType> punishedFor = Optional.empty();
-    private Set<Player> touched = new HashSet<>();
+    private Set<Player> touched = Set.of();
     private int penaltyTicks;
     private int groundTicks;
     private int notStandingTicks;

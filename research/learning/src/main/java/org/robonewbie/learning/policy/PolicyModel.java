@@ -9,6 +9,7 @@ import java.util.stream.DoubleStream;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.walk.FastWalk;
 import org.robonewbie.agent.walk.PolicyWalk;
@@ -157,15 +158,25 @@ public final class PolicyModel {
      */
     public double[] initial(Policy policy) {
         policy.require(quantities(), task.outputs());
-        double[] weights = policy.network().numbers();
-        if (weights.length != Network.size(layers)) {
-            throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + weights.length
-                    + " weights instead of " + Network.size(layers) + ". Pass the same --hidden value that it was"
-                    + " trained with.");
+        List<String> trained = layerLines(policy);
+        List<String> needed = layerLines(policy(List.of(), initial(0)));
+        if (!trained.equals(needed)) {
+            throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has the layers " + trained
+                    + " instead of " + needed + ". Pass the same --hidden value that it was trained with; a policy with"
+                    + " other activation functions cannot be trained further here.");
         }
         double[] learnedGait = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
-        return DoubleStream.concat(DoubleStream.of(learnedGait), DoubleStream.of(weights))
+        return DoubleStream.concat(
+                        DoubleStream.of(learnedGait),
+                        DoubleStream.of(policy.network().numbers()))
                 .toArray();
+    }
+
+    private static List<String> layerLines(Policy policy) {
+        return PolicyText.format(policy)
+                .lines()
+                .filter(line -> line.startsWith("layer "))
+                .toList();
     }
 
     /** {@return the scale of each parameter; that of a weight in the first layer is the inverse of its input's typical magnitude} */

@@ -93,6 +93,20 @@ class PolicyModelTest {
     }
 
     @Test
+    void refusesPoliciesWithOtherLayers() {
+        PolicyModel stand = model("Stand");
+        PolicyModel narrow = model("Stand", PolicyModel.DEFAULT_INPUTS, 8);
+        String text = PolicyText.format(stand.policy(List.of(), stand.initial(1)));
+
+        assertThatThrownBy(() -> stand.initial(narrow.policy(List.of(), narrow.initial(1))))
+                .hasMessageContaining(" 8 tanh, layer 8 ")
+                .hasMessageContaining("Pass the same --hidden value");
+        assertThatThrownBy(() -> stand.initial(PolicyText.parse(text.replaceFirst("tanh", "elu"))))
+                .hasMessageContaining("16 elu, layer 16 ")
+                .hasMessageContaining("other activation functions cannot be trained further here");
+    }
+
+    @Test
     void policyKeepsAnActionAsLongAsWhileItWasLearned() throws IOException {
         PolicyModel slow = model("Stand", "cycles=5");
         PolicyModel stand = model("Stand");
