@@ -1,6 +1,7 @@
 package org.robonewbie.robot;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.motion.JointSpace;
 
 /**
  * A hinge between a body and its parent.
@@ -40,5 +41,11 @@ public record RobotJoint(
      */
     public double clampDegrees(double degrees) {
         return Math.max(minDegrees, Math.min(maxDegrees, degrees));
+    }
+
+    /** {@return name, range and maximum speed, as motions need them} */
+    JointSpace.Limits limits() {
+        double maxSpeed = motor instanceof Motor.Speed speed ? speed.maxDegreesPerSecond() : Double.POSITIVE_INFINITY;
+        return new JointSpace.Limits(name, minDegrees, maxDegrees, maxSpeed);
     }
 }

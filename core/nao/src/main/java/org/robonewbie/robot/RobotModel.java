@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.motion.JointSpace;
 
 /**
  * A robot as data: a tree of rigid bodies joined by motorised hinges.
@@ -77,6 +78,13 @@ public record RobotModel(String name, List<RobotBody> bodies, List<RobotJoint> j
             }
         }
         throw new IllegalArgumentException("Robot " + name + " has no body \"" + bodyName + "\".");
+    }
+
+    /** {@return the joints in the order of the robot's motion files; for a NAO of any type, {@link JointSpace#NAO}} */
+    public JointSpace jointSpace() {
+        return NaoRobot.isNao(this)
+                ? JointSpace.NAO
+                : new JointSpace(name, joints.stream().map(RobotJoint::limits).toList());
     }
 
     /** {@return the mass of the whole robot in kilograms} */

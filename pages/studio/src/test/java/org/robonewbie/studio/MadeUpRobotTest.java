@@ -1,6 +1,7 @@
 package org.robonewbie.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
@@ -8,6 +9,7 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +17,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
@@ -22,6 +26,13 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.MassDistribution;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.nao.motion.Interpolation;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.MotionPlayer;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.robot.Motor;
 import org.robonewbie.robot.PlacedShape;
 import org.robonewbie.robot.RobotBody;
@@ -109,6 +120,63 @@ class MadeUpRobotTest {
 
             assertThat(robot.jointDegrees(LEFT_SHOULDER)).isCloseTo(-360 * 0.2, within(0.5));
         }
+    }
+
+    @Test
+    void playsAMotionFileThatNamesIt() throws IOException {
+        MotionFile file = motionFile("// robot: TinMan\n600 45 -90 0 0 0\n400 45 -90 -60 0 0\n");
+        try (SteppedSimulator simulator = simulator(RecordingTarget.NONE)) {
+            Robot robot = standing(simulator);
+
+            play(file, simulator, robot);
+
+            assertThat(robot.state().degrees(0)).isCloseTo(45, within(1.0));
+            assertThat(robot.state().degrees(LEFT_SHOULDER)).isCloseTo(-90, within(1.0));
+            assertThat(robot.state().degrees(2)).isCloseTo(-60, within(1.0));
+            assertThat(robot.isStanding()).isTrue();
+        }
+    }
+
+    @Test
+    void writesTheMotionItHasRead() throws IOException {
+        MotionFile file = motionFile("// robot: TinMan\n600 45 -90 0 0 0\n");
+
+        MotionFile written = MotionFile.of(file.motion());
+
+        assertThat(written.text()).isEqualTo(file.text());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            // robot: T1                | line 2, column 11: found "T1", expected "TinMan": this motion is for the robot T1
+            // made for a NAO           | line 1, column 1: no line "// robot: TinMan": this motion is for the robot NAO
+            """)
+    void refusesAMotionFileOfAnotherRobot(String head, String problem) throws IOException {
+        MotionFile file = motionFile("\n" + head + "\n600 45 -90 0 0 0\n");
+
+        assertThatThrownBy(file::motion)
+                .hasMessageStartingWith("salute.txt " + problem + ", not for TinMan. Play it with a ")
+                .hasMessageEndingWith(", or choose a motion for TinMan");
+    }
+
+    @Test
+    void motionFileIsRefusedByANao() {
+        MotionFile file = MotionFile.parse("salute.txt", "// robot: TinMan\n600 45 -90 0 0 0\n");
+
+        assertThatThrownBy(file::motion)
+                .hasMessage(
+                        "salute.txt line 1, column 11: found \"TinMan\", expected \"NAO\": this motion is for the robot TinMan,"
+                                + " not for NAO. Play it with a TinMan, or choose a motion for NAO");
+    }
+
+    @Test
+    void motionIsRefusedByTheMotorsOfAnotherRobot() throws IOException {
+        Motion motion = motionFile("// robot: TinMan\n600 45 -90 0 0 0\n").motion();
+        MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
+
+        assertThatThrownBy(() -> player.step(new Motors(new JointStates())))
+                .hasMessage(
+                        "Motion salute is for the robot TinMan, but the motors are those of NAO. Play a motion for that robot.");
     }
 
     @Test
@@ -212,6 +280,29 @@ class MadeUpRobotTest {
         robot.setMotorSpeed(LEFT_SHOULDER, PortableMath.toRadians(-degreesPerSecond));
         cycles(simulator, 50);
         robot.setMotorSpeed(LEFT_SHOULDER, 0);
+    }
+
+    private MotionFile motionFile(String text) throws IOException {
+        Path file = folder.resolve("salute.txt");
+        Files.writeString(file, text);
+        return MotionFiles.load(file, TIN_MAN.jointSpace());
+    }
+
+    /** Plays a motion. Speeds take effect one cycle after they were calculated, as those of an agent do. */
+    private static void play(MotionFile file, SteppedSimulator simulator, Robot robot) {
+        JointStates joints = new JointStates(TIN_MAN.jointSpace());
+        Motors motors = new Motors(joints);
+        MotionPlayer player = MotionPlayer.of(file, 1, Interpolation.LINEAR);
+        while (!player.isFinished()) {
+            TIN_MAN.joints().forEach(joint -> joints.sense(joint.index(), robot.jointDegrees(joint)));
+            player.step(motors);
+            motors.endCycle();
+            double[] speeds = motors.sentDegreesPerSecond();
+            simulator.cycle();
+            TIN_MAN.joints()
+                    .forEach(joint -> robot.setMotorSpeed(joint, PortableMath.toRadians(speeds[joint.index()])));
+        }
+        simulator.cycle();
     }
 
     private static void fall(SteppedSimulator simulator, Robot robot) {

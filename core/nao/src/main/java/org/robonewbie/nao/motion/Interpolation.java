@@ -16,11 +16,7 @@ import org.robonewbie.nao.Joint;
 public interface Interpolation {
 
     /** Constant speed from one keyframe to the next; the speed changes abruptly at each keyframe. */
-    Interpolation LINEAR = (section, joint, fraction) -> {
-        double from = section.from().degrees(joint);
-        double to = section.to().degrees(joint);
-        return fraction >= 1 ? to : from + fraction * (to - from);
-    };
+    Interpolation LINEAR = (section, joint, fraction) -> section.linearDegrees(joint.ordinal(), fraction);
 
     /**
      * Returns the angle of a joint within an interval.

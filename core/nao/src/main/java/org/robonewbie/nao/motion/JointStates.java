@@ -12,10 +12,28 @@ import org.robonewbie.nao.Joint;
  */
 public final class JointStates {
 
-    private final double[] degrees = new double[Joint.COUNT];
+    private final JointSpace space;
+    private final double[] degrees;
 
-    /** Creates joint states with all angles at 0. */
-    public JointStates() {}
+    /** Creates the joint states of a NAO with all angles at 0. */
+    public JointStates() {
+        this(JointSpace.NAO);
+    }
+
+    /**
+     * Creates the joint states of any robot with all angles at 0.
+     *
+     * @param space the joints of the robot
+     */
+    public JointStates(JointSpace space) {
+        this.space = space;
+        degrees = new double[space.size()];
+    }
+
+    /** {@return the joints of the robot} */
+    public JointSpace jointSpace() {
+        return space;
+    }
 
     /**
      * Stores the reading of a joint's sensor.
@@ -24,8 +42,18 @@ public final class JointStates {
      * @param newDegrees its angle in degrees; NaN stands for a missing reading and leaves the last one unchanged
      */
     public void sense(Joint joint, double newDegrees) {
+        sense(joint.ordinal(), newDegrees);
+    }
+
+    /**
+     * Stores the reading of the sensor of a joint of any robot.
+     *
+     * @param joint index of the joint in {@link #jointSpace()}
+     * @param newDegrees its angle in degrees; NaN stands for a missing reading and leaves the last one unchanged
+     */
+    public void sense(int joint, double newDegrees) {
         if (Double.isFinite(newDegrees)) {
-            degrees[joint.ordinal()] = newDegrees;
+            degrees[joint] = newDegrees;
         }
     }
 
@@ -38,8 +66,17 @@ public final class JointStates {
         return degrees[joint.ordinal()];
     }
 
+    /**
+     * {@return the last sensed angle of a joint of any robot in degrees}
+     *
+     * @param joint index of the joint in {@link #jointSpace()}
+     */
+    public double degrees(int joint) {
+        return degrees[joint];
+    }
+
     /** {@return the last sensed angles of all joints} */
     public Posture posture() {
-        return Posture.of(degrees);
+        return Posture.of(space, degrees);
     }
 }

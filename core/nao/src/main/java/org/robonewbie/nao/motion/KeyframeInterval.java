@@ -53,6 +53,13 @@ public record KeyframeInterval(Posture start, Motion motion, int index) {
         return durationAt(index + 1);
     }
 
+    /** Returns the angle of the joint with an index at constant speed; the fraction is 0 at {@link #from} and 1 at {@link #to}. */
+    double linearDegrees(int joint, double fraction) {
+        double begin = from().degrees(joint);
+        double end = to().degrees(joint);
+        return fraction >= 1 ? end : begin + fraction * (end - begin);
+    }
+
     private Posture postureAt(int keyframe) {
         if (keyframe < 0) {
             return start;

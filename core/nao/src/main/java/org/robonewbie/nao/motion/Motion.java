@@ -21,6 +21,11 @@ public record Motion(String name, List<Keyframe> keyframes) {
         keyframes = List.copyOf(keyframes);
     }
 
+    /** {@return the joints that the motion moves; those of the NAO if there is no keyframe} */
+    public JointSpace jointSpace() {
+        return keyframes.isEmpty() ? JointSpace.NAO : keyframes.get(0).posture().jointSpace();
+    }
+
     /** {@return the sum of the keyframes' durations in milliseconds} */
     public int durationMillis() {
         return keyframes.stream().mapToInt(Keyframe::durationMillis).sum();

@@ -20,7 +20,8 @@ import org.robonewbie.nao.text.UndecodableTextException;
  * The contents of a motion file, including comments. Each line with a keyframe contains its duration in milliseconds
  * and 22 angles in degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //}
  * starts a comment, and a comment {@code // key: value} sets a property. This is the format of the original RoboNewbie
- * framework. Immutable: each change returns a new file in which all other lines keep their exact text.
+ * framework. The file of another robot than the NAO names it in a comment {@code // robot: T1}, and has an angle for each
+ * joint of that robot. Immutable: each change returns a new file in which all other lines keep their exact text.
  *
  * <pre>{@code
  * MotionFile file = MotionFiles.load(Path.of("wave.txt"));
@@ -31,23 +32,30 @@ import org.robonewbie.nao.text.UndecodableTextException;
 public final class MotionFile {
 
     private static final String BALL = "ball";
+    private static final String ROBOT = "robot";
     private static final Pattern BALL_POSITION = Pattern.compile("(-?[0-9.]+) m ahead, (-?[0-9.]+) m to the left");
 
     private final String name;
+    private final JointSpace space;
     private final DecodedText decoded;
     private final Optional<MotionProblem> decodingError;
     private final List<MotionLine> lines;
 
     private MotionFile(
-            String name, DecodedText decoded, Optional<MotionProblem> decodingError, List<MotionLine> lines) {
+            String name,
+            JointSpace space,
+            DecodedText decoded,
+            Optional<MotionProblem> decodingError,
+            List<MotionLine> lines) {
         this.name = name;
+        this.space = space;
         this.decoded = decoded;
         this.decodingError = decodingError;
         this.lines = List.copyOf(lines);
     }
 
     /**
-     * Parses the text of a motion file.
+     * Parses the text of a motion file of the NAO.
      *
      * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param text the contents of the file
@@ -58,25 +66,37 @@ public final class MotionFile {
     }
 
     /**
-     * Decodes and parses the bytes of a motion file.
+     * Decodes and parses the bytes of a motion file of the NAO.
      *
      * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param bytes text in UTF-8, UTF-16 with a byte order mark, or Windows-1252
      * @return the file; bytes that cannot be decoded and lines that cannot be parsed are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, byte[] bytes) {
+        return parse(name, bytes, JointSpace.NAO);
+    }
+
+    /**
+     * Decodes and parses the bytes of a motion file of any robot.
+     *
+     * @param name the file's name, used in messages, such as {@code wave.txt}
+     * @param bytes text in UTF-8, UTF-16 with a byte order mark, or Windows-1252
+     * @param space the joints of the robot
+     * @return the file; bytes that cannot be decoded and lines that cannot be parsed are kept, see {@link #errors}
+     */
+    public static MotionFile parse(String name, byte[] bytes, JointSpace space) {
         try {
             DecodedText decoded = DecodedText.of(bytes);
-            return new MotionFile(name, decoded, Optional.empty(), parseLines(decoded.content()));
+            return new MotionFile(name, space, decoded, Optional.empty(), parseLines(decoded.content(), space));
         } catch (UndecodableTextException undecodable) {
             MotionProblem error = new MotionProblem(undecodable.line(), 1, undecodable.problem());
             String characters = new String(bytes, StandardCharsets.ISO_8859_1);
             MotionLine line = new Unreadable(characters, "", 1, error.text());
-            return new MotionFile(name, DecodedText.EMPTY, Optional.of(error), List.of(line));
+            return new MotionFile(name, space, DecodedText.EMPTY, Optional.of(error), List.of(line));
         }
     }
 
-    private static List<MotionLine> parseLines(String content) {
+    private static List<MotionLine> parseLines(String content, JointSpace space) {
         List<MotionLine> lines = new ArrayList<>();
         int start = 0;
         while (start < content.length()) {
@@ -85,7 +105,7 @@ public final class MotionFile {
                 end++;
             }
             int next = content.startsWith("\r\n", end) ? end + 2 : Math.min(end + 1, content.length());
-            lines.add(MotionLine.parse(content.substring(start, end), content.substring(end, next)));
+            lines.add(MotionLine.parse(content.substring(start, end), content.substring(end, next), space));
             start = next;
         }
         return lines;
@@ -100,7 +120,9 @@ public final class MotionFile {
     public static MotionFile of(Motion motion) {
         List<MotionLine> lines = new ArrayList<>();
         motion.keyframes().forEach(keyframe -> lines.add(Frame.of(keyframe)));
-        return new MotionFile(motion.name() + ".txt", DecodedText.EMPTY, Optional.empty(), lines);
+        JointSpace space = motion.jointSpace();
+        MotionFile file = new MotionFile(motion.name() + ".txt", space, DecodedText.EMPTY, Optional.empty(), lines);
+        return space.equals(JointSpace.NAO) ? file : file.withProperty(ROBOT, space.robot());
     }
 
     /** {@return the file's name without folders, such as {@code wave.txt}} */
@@ -125,7 +147,8 @@ public final class MotionFile {
                     new MotionProblem(
                             lines.size() + 1,
                             1,
-                            "no keyframe, expected at least one line with a time in milliseconds and 22 angles"));
+                            "no keyframe, expected at least one line with a time in milliseconds and " + space.size()
+                                    + " angles"));
         }
         return new Motion(name.replaceFirst("\\.[^.]*$", ""), keyframes);
     }
@@ -140,11 +163,15 @@ public final class MotionFile {
 
     /**
      * {@return one problem for each line that is neither a keyframe nor a comment, or a single one if the bytes cannot
-     * be decoded}
+     * be decoded or the motion is for another robot}
      */
     public List<MotionProblem> errors() {
         if (decodingError.isPresent()) {
             return List.of(decodingError.get());
+        }
+        Optional<MotionProblem> otherRobot = otherRobot();
+        if (otherRobot.isPresent()) {
+            return List.of(otherRobot.get());
         }
         List<MotionProblem> errors = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
@@ -153,6 +180,31 @@ public final class MotionFile {
             }
         }
         return Collections.unmodifiableList(errors);
+    }
+
+    /** Explains why this is not a motion of the robot for which it was parsed. A file that names no robot is for the NAO. */
+    private Optional<MotionProblem> otherRobot() {
+        for (int i = 0; i < lines.size(); i++) {
+            if (lines.get(i) instanceof Note note && note.property(ROBOT).isPresent()) {
+                return otherRobot(i + 1, note.text(), note.property(ROBOT).get());
+            }
+        }
+        return otherRobot(1, "", JointSpace.NAO.robot());
+    }
+
+    private Optional<MotionProblem> otherRobot(int line, String text, String found) {
+        String expected = space.robot();
+        if (found.equals(expected)) {
+            return Optional.empty();
+        }
+        String what = text.isEmpty()
+                ? "no line \"// robot: " + expected + "\""
+                : "found \"" + found + "\", expected \"" + expected + "\"";
+        return Optional.of(new MotionProblem(
+                line,
+                Math.max(0, text.lastIndexOf(found)) + 1,
+                what + ": this motion is for the robot " + found + ", not for " + expected + ". Play it with a " + found
+                        + ", or choose a motion for " + expected));
     }
 
     /**
@@ -311,6 +363,6 @@ public final class MotionFile {
         decodingError.ifPresent(error -> {
             throw new MotionFormatException(name, error);
         });
-        return new MotionFile(name, decoded, decodingError, changed);
+        return new MotionFile(name, space, decoded, decodingError, changed);
     }
 }

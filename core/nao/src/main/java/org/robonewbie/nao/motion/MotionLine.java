@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import org.robonewbie.nao.Joint;
 
 /** A line of a motion file with its original text, so that everything that is not edited is saved unchanged. */
 sealed interface MotionLine {
@@ -16,28 +15,28 @@ sealed interface MotionLine {
     /** Returns the line terminator: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
     String lineEnd();
 
-    static MotionLine parse(String text, String lineEnd) {
+    static MotionLine parse(String text, String lineEnd, JointSpace space) {
         List<Word> words = Word.allIn(text);
         if (words.isEmpty()) {
             return new Note(text, lineEnd);
         }
         for (int i = 0; i < words.size(); i++) {
-            String problem = words.get(i).problem(i);
+            String problem = words.get(i).problem(i, space);
             if (!problem.isEmpty()) {
                 return new Unreadable(text, lineEnd, words.get(i).column() + 1, problem);
             }
         }
         int angles = words.size() - 1;
-        if (angles != Joint.COUNT) {
-            int column = angles > Joint.COUNT
-                    ? words.get(1 + Joint.COUNT).column()
+        if (angles != space.size()) {
+            int column = angles > space.size()
+                    ? words.get(1 + space.size()).column()
                     : words.get(angles).end();
             String found = angles == 1 ? "1 angle" : angles + " angles";
             return new Unreadable(
                     text,
                     lineEnd,
                     column + 1,
-                    found + ", expected " + Joint.COUNT
+                    found + ", expected " + space.size()
                             + ": write one angle in degrees for each joint after the time in milliseconds");
         }
         double[] degrees = words.stream()
@@ -45,7 +44,7 @@ sealed interface MotionLine {
                 .mapToDouble(word -> Double.parseDouble(word.text()))
                 .toArray();
         return new Frame(
-                text, lineEnd, new Keyframe(Integer.parseInt(words.get(0).text()), Posture.of(degrees)));
+                text, lineEnd, new Keyframe(Integer.parseInt(words.get(0).text()), Posture.of(space, degrees)));
     }
 
     /** A line without a keyframe: empty or a comment. */
@@ -82,8 +81,8 @@ sealed interface MotionLine {
         static Frame of(Keyframe keyframe) {
             StringBuilder text = new StringBuilder();
             text.append(keyframe.durationMillis());
-            for (Joint joint : Joint.values()) {
-                text.append(' ').append(format(keyframe.posture().degrees(joint)));
+            for (double degrees : keyframe.posture().toArray()) {
+                text.append(' ').append(format(degrees));
             }
             return new Frame(text.toString(), "\n", keyframe);
         }
@@ -107,9 +106,8 @@ sealed interface MotionLine {
                 boolean same = keyframe.durationMillis() == changed.durationMillis();
                 return same ? original : Integer.toString(changed.durationMillis());
             }
-            Joint joint = Joint.values()[index - 1];
-            double degrees = changed.posture().degrees(joint);
-            return keyframe.posture().degrees(joint) == degrees ? original : format(degrees);
+            double degrees = changed.posture().degrees(index - 1);
+            return keyframe.posture().degrees(index - 1) == degrees ? original : format(degrees);
         }
 
         private static String format(double degrees) {
@@ -129,14 +127,16 @@ sealed interface MotionLine {
             if (!time.isEmpty()) {
                 warnings.add(new MotionProblem(line, words.get(0).column() + 1, time));
             }
-            for (Joint joint : Joint.values()) {
-                double degrees = keyframe.posture().degrees(joint);
+            List<JointSpace.Limits> limits = keyframe.posture().jointSpace().joints();
+            for (int i = 0; i < limits.size(); i++) {
+                JointSpace.Limits joint = limits.get(i);
+                double degrees = keyframe.posture().degrees(i);
                 if (joint.clampDegrees(degrees) != degrees) {
-                    Word word = words.get(1 + joint.ordinal());
+                    Word word = words.get(1 + i);
                     warnings.add(new MotionProblem(
                             line,
                             word.column() + 1,
-                            "angle " + word.text() + " is beyond the range of " + joint + ", expected "
+                            "angle " + word.text() + " is beyond the range of " + joint.name() + ", expected "
                                     + joint.minDegrees() + " to " + joint.maxDegrees() + " degrees"));
                 }
             }
@@ -191,7 +191,7 @@ sealed interface MotionLine {
          * Explains why this word is not a valid number at the given zero-based position in its line; returns an
          * empty string if it is valid.
          */
-        String problem(int index) {
+        String problem(int index, JointSpace space) {
             if (index == 0) {
                 return INTEGER.matcher(text).matches()
                         ? ""
@@ -200,7 +200,9 @@ sealed interface MotionLine {
             if (DECIMAL.matcher(text).matches() && Double.isFinite(Double.parseDouble(text))) {
                 return "";
             }
-            String joint = index <= Joint.COUNT ? " of " + Joint.values()[index - 1] : "";
+            String joint = index <= space.size()
+                    ? " of " + space.joints().get(index - 1).name()
+                    : "";
             return "found \"" + text + "\", expected the angle" + joint + " in degrees, such as -12.5";
         }
 

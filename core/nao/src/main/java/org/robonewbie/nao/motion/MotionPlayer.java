@@ -43,6 +43,7 @@ public final class MotionPlayer {
 
     private final Motion motion;
     private final Interpolation interpolation;
+    private final boolean isForNao;
     private final int[] keyframeEnds;
     private final Optional<OriginalRule> original;
     private Optional<PostureFollower> follower = Optional.empty();
@@ -56,7 +57,7 @@ public final class MotionPlayer {
      * Creates a player at the start of a motion.
      *
      * @param motion the motion
-     * @param interpolation the path of the joints between keyframes
+     * @param interpolation the path of the joints of a NAO between keyframes; those of other robots turn at constant speed
      */
     public MotionPlayer(Motion motion, Interpolation interpolation) {
         this(motion, interpolation, Optional.empty());
@@ -65,6 +66,7 @@ public final class MotionPlayer {
     private MotionPlayer(Motion motion, Interpolation interpolation, Optional<OriginalRule> original) {
         this.motion = motion;
         this.interpolation = interpolation;
+        this.isForNao = motion.jointSpace().equals(JointSpace.NAO);
         this.keyframeEnds = keyframeEnds(motion);
         this.original = original;
     }
@@ -75,7 +77,7 @@ public final class MotionPlayer {
      *
      * @param file the file
      * @param speed speed factor; 1 plays as written, 2 twice as fast
-     * @param interpolation the path of the joints between keyframes
+     * @param interpolation the path of the joints of a NAO between keyframes; those of other robots turn at constant speed
      * @return the player
      */
     public static MotionPlayer of(MotionFile file, double speed, Interpolation interpolation) {
@@ -143,6 +145,7 @@ public final class MotionPlayer {
      * Plays one cycle of 20 ms. After the end of the motion, stops the motors.
      *
      * @param motors the motors to read and to drive
+     * @throws IllegalArgumentException if they are those of another robot than the motion's
      */
     public void step(Motors motors) {
         if (isFinished()) {
@@ -186,27 +189,29 @@ public final class MotionPlayer {
      */
     public List<String> problems(Motors motors, int fromKeyframe) {
         List<String> problems = new ArrayList<>();
+        List<JointSpace.Limits> limits = motion.jointSpace().joints();
         for (int i = fromKeyframe; i < keyframeEnds.length; i++) {
             KeyframeInterval section = new KeyframeInterval(motors.expectedPosture(), motion, i);
             double seconds = cyclesOf(i) * Cycle.SECONDS;
-            for (Joint joint : JOINTS) {
-                double way = Math.abs(reachable(joint, section.to()) - reachable(joint, section.from()));
-                if (motors.isFree(joint) && way / seconds > joint.maxDegreesPerSecond() * 1.001) {
-                    problems.add(tooFast(i, joint, way, seconds));
+            for (int k = 0; k < limits.size(); k++) {
+                double way = Math.abs(motors.inside(k, section.to().degrees(k))
+                        - motors.inside(k, section.from().degrees(k)));
+                if (motors.isFree(k) && way / seconds > limits.get(k).maxDegreesPerSecond() * 1.001) {
+                    problems.add(tooFast(i, limits.get(k), way, seconds));
                 }
             }
         }
         return problems;
     }
 
-    private String tooFast(int index, Joint joint, double way, double seconds) {
+    private String tooFast(int index, JointSpace.Limits joint, double way, double seconds) {
         int enough = (int) Math.ceil(way / joint.maxDegreesPerSecond() * 1000 / CYCLE_MILLIS) * CYCLE_MILLIS;
         return String.format(
                 Locale.ROOT,
                 "Motion %s turns %s by %.0f degrees in %.0f ms on the way to keyframe %d, which is faster than its"
                         + " motor allows; plan at least %d ms.",
                 motion.name(),
-                joint,
+                joint.name(),
                 way,
                 seconds * 1000,
                 index + 1,
@@ -214,6 +219,12 @@ public final class MotionPlayer {
     }
 
     private void begin(Motors motors) {
+        JointSpace robot = motors.joints().jointSpace();
+        if (!robot.equals(motion.jointSpace())) {
+            throw new IllegalArgumentException("Motion " + motion.name() + " is for the robot "
+                    + motion.jointSpace().robot() + ", but the motors are those of " + robot.robot()
+                    + ". Play a motion for that robot.");
+        }
         sections = sectionsFrom(motors.expectedPosture());
         follower = Optional.of(new PostureFollower(motors));
     }
@@ -239,8 +250,11 @@ public final class MotionPlayer {
         leader.follow(this::plannedDegrees, cycle == lengthInCycles() ? 1 : PostureFollower.CORRECTION);
     }
 
-    private double plannedDegrees(Joint joint) {
-        return interpolation.degrees(sections.get(keyframe), joint, fraction);
+    private double plannedDegrees(int joint) {
+        KeyframeInterval section = sections.get(keyframe);
+        return isForNao
+                ? interpolation.degrees(section, JOINTS[joint], fraction)
+                : section.linearDegrees(joint, fraction);
     }
 
     private int cyclesOf(int index) {
@@ -249,10 +263,6 @@ public final class MotionPlayer {
 
     private int lengthInCycles() {
         return keyframeEnds.length == 0 ? 0 : keyframeEnds[keyframeEnds.length - 1];
-    }
-
-    private static double reachable(Joint joint, Posture posture) {
-        return Motors.inside(joint, posture.degrees(joint));
     }
 
     /**

@@ -1,11 +1,13 @@
 package org.robonewbie.nao.motion;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * Speed controller for the motors of the 22 joints. The simulator accepts speeds only: a motor keeps its speed until it
+ * Speed controller for the motors of a robot. The simulator accepts speeds only: a motor keeps its speed until it
  * receives another one. This class adds target angles, which a joint approaches and holds, and stops joints just before
  * they reach their mechanical stops.
  *
@@ -22,18 +24,18 @@ public final class Motors {
      */
     private static final double MARGIN_DEGREES = 0.1;
 
-    private static final Joint[] JOINTS = Joint.values();
     private static final double NO_TARGET = Double.NaN;
 
     private final JointStates joints;
-    private final double[] sentDegreesPerSecond = new double[Joint.COUNT];
-    private final double[] degreesPerSecond = new double[Joint.COUNT];
-    private final double[] targetDegrees = new double[Joint.COUNT];
-    private final double[] targetDegreesPerSecond = new double[Joint.COUNT];
-    private final boolean[] commanded = new boolean[Joint.COUNT];
-    private final boolean[] commandedNow = new boolean[Joint.COUNT];
-    private final boolean[] needsCommand = new boolean[Joint.COUNT];
-    private final boolean[] stopped = new boolean[Joint.COUNT];
+    private final List<JointSpace.Limits> limits;
+    private final double[] sentDegreesPerSecond;
+    private final double[] degreesPerSecond;
+    private final double[] targetDegrees;
+    private final double[] targetDegreesPerSecond;
+    private final boolean[] commanded;
+    private final boolean[] commandedNow;
+    private final boolean[] needsCommand;
+    private final boolean[] stopped;
 
     /**
      * Creates motors at rest.
@@ -42,6 +44,15 @@ public final class Motors {
      */
     public Motors(JointStates joints) {
         this.joints = joints;
+        limits = joints.jointSpace().joints();
+        sentDegreesPerSecond = new double[limits.size()];
+        degreesPerSecond = new double[limits.size()];
+        targetDegrees = new double[limits.size()];
+        targetDegreesPerSecond = new double[limits.size()];
+        commanded = new boolean[limits.size()];
+        commandedNow = new boolean[limits.size()];
+        needsCommand = new boolean[limits.size()];
+        stopped = new boolean[limits.size()];
         Arrays.fill(targetDegrees, NO_TARGET);
     }
 
@@ -57,7 +68,11 @@ public final class Motors {
      * @return its expected angle in degrees
      */
     public double expectedDegrees(Joint joint) {
-        return joints.degrees(joint) + sentDegreesPerSecond[joint.ordinal()] * Cycle.SECONDS;
+        return expectedDegrees(joint.ordinal());
+    }
+
+    double expectedDegrees(int joint) {
+        return joints.degrees(joint) + sentDegreesPerSecond[joint] * Cycle.SECONDS;
     }
 
     /**
@@ -81,51 +96,50 @@ public final class Motors {
      */
     public void setTarget(Joint joint, double target, double speed) {
         takeCommand(joint);
-        targetDegrees[joint.ordinal()] = inside(joint, target);
+        targetDegrees[joint.ordinal()] = inside(joint.ordinal(), target);
         targetDegreesPerSecond[joint.ordinal()] = speed;
     }
 
     /** Releases all joints for a motion that is starting, except those that were commanded in this cycle. */
     public void release() {
-        for (int i = 0; i < Joint.COUNT; i++) {
+        for (int i = 0; i < commanded.length; i++) {
             commanded[i] = commandedNow[i];
             targetDegrees[i] = commandedNow[i] ? targetDegrees[i] : NO_TARGET;
         }
     }
 
     /** Returns whether a motion may turn a joint. */
-    boolean isFree(Joint joint) {
-        return !commanded[joint.ordinal()];
+    boolean isFree(int joint) {
+        return !commanded[joint];
     }
 
     /**
      * Sets the speed of a joint on behalf of a motion, unless the program has commanded the joint since the motion
      * started.
      */
-    void setMotionSpeed(Joint joint, double speed) {
+    void setMotionSpeed(int joint, double speed) {
         if (isFree(joint)) {
-            degreesPerSecond[joint.ordinal()] = speed;
+            degreesPerSecond[joint] = speed;
         }
     }
 
     /** Stops all joints that a motion controls. */
     public void stopMotion() {
-        for (Joint joint : JOINTS) {
-            setMotionSpeed(joint, 0);
+        for (int i = 0; i < limits.size(); i++) {
+            setMotionSpeed(i, 0);
         }
     }
 
     /** Calculates the speeds to be sent in this cycle. */
     public void endCycle() {
-        for (Joint joint : JOINTS) {
-            int i = joint.ordinal();
+        for (int i = 0; i < limits.size(); i++) {
             if (!Double.isNaN(targetDegrees[i])) {
-                double needed = (targetDegrees[i] - expectedDegrees(joint)) / Cycle.SECONDS;
+                double needed = (targetDegrees[i] - expectedDegrees(i)) / Cycle.SECONDS;
                 degreesPerSecond[i] = limit(needed, targetDegreesPerSecond[i]);
             }
-            double possible = limit(degreesPerSecond[i], joint.maxDegreesPerSecond());
+            double possible = limit(degreesPerSecond[i], limits.get(i).maxDegreesPerSecond());
             double before = sentDegreesPerSecond[i];
-            sentDegreesPerSecond[i] = keepInside(joint, possible);
+            sentDegreesPerSecond[i] = keepInside(i, possible);
             needsCommand[i] = sentDegreesPerSecond[i] != 0 || before != 0;
             stopped[i] = commanded[i] && Double.isNaN(targetDegrees[i]) && sentDegreesPerSecond[i] != possible;
         }
@@ -142,7 +156,7 @@ public final class Motors {
         return sentDegreesPerSecond[joint.ordinal()];
     }
 
-    /** {@return a copy of the speeds calculated by the last {@link #endCycle}, in degrees per second, in the order of {@link Joint}} */
+    /** {@return a copy of the speeds calculated by the last {@link #endCycle}, in degrees per second, in the order of the joints} */
     public double[] sentDegreesPerSecond() {
         return sentDegreesPerSecond.clone();
     }
@@ -174,18 +188,22 @@ public final class Motors {
      * @return whether the speed will be reduced
      */
     public boolean leavesRange(Joint joint, double speed) {
-        return keepInside(joint, speed) != speed;
+        return keepInside(joint.ordinal(), speed) != speed;
     }
 
     /** Returns the predicted posture at the time when speeds that are set now take effect. */
     Posture expectedPosture() {
         return Posture.of(
-                Arrays.stream(JOINTS).mapToDouble(this::expectedDegrees).toArray());
+                joints.jointSpace(),
+                IntStream.range(0, limits.size())
+                        .mapToDouble(this::expectedDegrees)
+                        .toArray());
     }
 
     /** Clamps an angle to the range in which a joint accepts commands. */
-    static double inside(Joint joint, double degrees) {
-        return Math.max(joint.minDegrees() + MARGIN_DEGREES, Math.min(joint.maxDegrees() - MARGIN_DEGREES, degrees));
+    double inside(int joint, double degrees) {
+        JointSpace.Limits range = limits.get(joint);
+        return Math.max(range.minDegrees() + MARGIN_DEGREES, Math.min(range.maxDegrees() - MARGIN_DEGREES, degrees));
     }
 
     private void takeCommand(Joint joint) {
@@ -193,8 +211,9 @@ public final class Motors {
         commandedNow[joint.ordinal()] = true;
     }
 
-    private double keepInside(Joint joint, double speed) {
-        double room = inside(joint, speed > 0 ? joint.maxDegrees() : joint.minDegrees()) - expectedDegrees(joint);
+    private double keepInside(int joint, double speed) {
+        JointSpace.Limits range = limits.get(joint);
+        double room = inside(joint, speed > 0 ? range.maxDegrees() : range.minDegrees()) - expectedDegrees(joint);
         return speed > 0
                 ? Math.min(speed, Math.max(0, room / Cycle.SECONDS))
                 : Math.max(speed, Math.min(0, room / Cycle.SECONDS));

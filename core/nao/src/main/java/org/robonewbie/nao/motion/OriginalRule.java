@@ -3,7 +3,6 @@ package org.robonewbie.nao.motion;
 import java.util.Arrays;
 import java.util.List;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.Joint;
 
 /**
  * The playback rule of RoboNewbie 1.1, for files with the comment {@code // play: 1.1}.
@@ -17,10 +16,9 @@ import org.robonewbie.nao.Joint;
 final class OriginalRule {
 
     private static final int CYCLE_MILLIS = 20;
-    private static final Joint[] JOINTS = Joint.values();
 
     private final List<Keyframe> keyframes;
-    private final double[] previous = new double[Joint.COUNT];
+    private final double[] previous;
     private int keyframe;
     private int remaining;
     private int cycles;
@@ -28,6 +26,7 @@ final class OriginalRule {
 
     OriginalRule(Motion motion) {
         keyframes = motion.keyframes();
+        previous = new double[motion.jointSpace().size()];
         begin();
     }
 
@@ -52,10 +51,10 @@ final class OriginalRule {
             return;
         }
         boolean resting = true;
-        for (Joint joint : JOINTS) {
-            double step = remaining > 1 ? nextStep(motors, joint) : 0;
-            previous[joint.ordinal()] = step;
-            motors.setMotionSpeed(joint, step / Cycle.SECONDS);
+        for (int i = 0; i < previous.length; i++) {
+            double step = remaining > 1 ? nextStep(motors, i) : 0;
+            previous[i] = step;
+            motors.setMotionSpeed(i, step / Cycle.SECONDS);
             resting &= step == 0;
         }
         remaining--;
@@ -64,8 +63,8 @@ final class OriginalRule {
         }
     }
 
-    private double nextStep(Motors motors, Joint joint) {
-        double expected = motors.joints().degrees(joint) + previous[joint.ordinal()];
+    private double nextStep(Motors motors, int joint) {
+        double expected = motors.joints().degrees(joint) + previous[joint];
         return (keyframes.get(keyframe).posture().degrees(joint) - expected) / (remaining - 1);
     }
 

@@ -14,14 +14,14 @@ import org.robonewbie.nao.Joint;
 public final class Posture {
 
     /** The construction pose: standing straight, both arms stretched forward, all angles 0. */
-    public static final Posture ZERO = new Posture(new double[Joint.COUNT]);
+    public static final Posture ZERO = new Posture(JointSpace.NAO, new double[JointSpace.NAO.size()]);
 
-    private static final Joint[] JOINTS = Joint.values();
-
+    private final JointSpace space;
     private final double[] degrees;
 
     /** Takes ownership of the array. Negative zeros become positive, so that equal angles have equal bits. */
-    private Posture(double[] degrees) {
+    private Posture(JointSpace space, double[] degrees) {
+        this.space = space;
         for (int i = 0; i < degrees.length; i++) {
             degrees[i] += 0.0;
         }
@@ -29,21 +29,38 @@ public final class Posture {
     }
 
     /**
-     * Creates a posture.
+     * Creates a posture of the NAO.
      *
      * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
      * @return the posture
      * @throws IllegalArgumentException if there are not 22 angles or one is not finite
      */
     public static Posture of(double... degrees) {
-        if (degrees.length != Joint.COUNT) {
+        return of(JointSpace.NAO, degrees);
+    }
+
+    /**
+     * Creates a posture of any robot.
+     *
+     * @param space the joints of the robot
+     * @param degrees one angle in degrees for each joint; copied
+     * @return the posture
+     * @throws IllegalArgumentException if the number of angles is not the number of joints or one is not finite
+     */
+    public static Posture of(JointSpace space, double... degrees) {
+        if (degrees.length != space.size()) {
             throw new IllegalArgumentException(
-                    "Expected " + Joint.COUNT + " angles, one for each joint, but got " + degrees.length + ".");
+                    "Expected " + space.size() + " angles, one for each joint, but got " + degrees.length + ".");
         }
         for (int i = 0; i < degrees.length; i++) {
-            checkFinite(JOINTS[i], degrees[i]);
+            checkFinite(space, i, degrees[i]);
         }
-        return new Posture(degrees.clone());
+        return new Posture(space, degrees.clone());
+    }
+
+    /** {@return the joints of the robot that takes this posture} */
+    public JointSpace jointSpace() {
+        return space;
     }
 
     /**
@@ -57,6 +74,16 @@ public final class Posture {
     }
 
     /**
+     * Returns the angle of a joint of any robot.
+     *
+     * @param joint index of the joint in {@link #jointSpace()}
+     * @return its angle in degrees
+     */
+    public double degrees(int joint) {
+        return degrees[joint];
+    }
+
+    /**
      * Returns this posture with one angle changed.
      *
      * @param joint the joint
@@ -65,28 +92,34 @@ public final class Posture {
      * @throws IllegalArgumentException if the angle is not finite
      */
     public Posture with(Joint joint, double newDegrees) {
-        checkFinite(joint, newDegrees);
-        double[] changed = degrees.clone();
-        changed[joint.ordinal()] = newDegrees;
-        return new Posture(changed);
+        return with(List.of(joint), newDegrees);
     }
 
-    /** {@return the mirrored posture, with left and right exchanged} */
+    /**
+     * Returns the mirrored posture of a NAO.
+     *
+     * @return the posture with left and right exchanged
+     * @throws IllegalStateException if this is the posture of another robot
+     */
     public Posture mirrored() {
-        double[] mirrored = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
+        if (space != JointSpace.NAO) {
+            throw new IllegalStateException("A posture of the robot " + space.robot()
+                    + " cannot be mirrored: which joints belong together is known for the NAO only.");
+        }
+        double[] mirrored = new double[degrees.length];
+        for (Joint joint : Joint.values()) {
             mirrored[Mirror.partner(joint).ordinal()] = Mirror.mirroredDegrees(joint, degrees(joint));
         }
-        return new Posture(mirrored);
+        return new Posture(space, mirrored);
     }
 
     /** {@return this posture with each angle clamped to its joint's range} */
     public Posture clamped() {
-        double[] clamped = new double[Joint.COUNT];
-        for (Joint joint : JOINTS) {
-            clamped[joint.ordinal()] = joint.clampDegrees(degrees(joint));
+        double[] clamped = new double[degrees.length];
+        for (int i = 0; i < clamped.length; i++) {
+            clamped[i] = space.joints().get(i).clampDegrees(degrees[i]);
         }
-        return new Posture(clamped);
+        return new Posture(space, clamped);
     }
 
     /**
@@ -100,10 +133,11 @@ public final class Posture {
     public Posture with(List<Joint> joints, double... newDegrees) {
         double[] changed = degrees.clone();
         for (int i = 0; i < newDegrees.length; i++) {
-            checkFinite(joints.get(i), newDegrees[i]);
-            changed[joints.get(i).ordinal()] = newDegrees[i];
+            int index = joints.get(i).ordinal();
+            checkFinite(space, index, newDegrees[i]);
+            changed[index] = newDegrees[i];
         }
-        return new Posture(changed);
+        return new Posture(space, changed);
     }
 
     /**
@@ -117,11 +151,11 @@ public final class Posture {
         if (fraction == 1) {
             return end;
         }
-        double[] between = new double[Joint.COUNT];
-        for (int i = 0; i < Joint.COUNT; i++) {
+        double[] between = new double[degrees.length];
+        for (int i = 0; i < between.length; i++) {
             between[i] = degrees[i] + fraction * (end.degrees[i] - degrees[i]);
         }
-        return new Posture(between);
+        return new Posture(space, between);
     }
 
     /**
@@ -132,27 +166,27 @@ public final class Posture {
      */
     public double largestDifference(Posture other) {
         double largest = 0;
-        for (int i = 0; i < Joint.COUNT; i++) {
+        for (int i = 0; i < degrees.length; i++) {
             largest = Math.max(largest, Math.abs(degrees[i] - other.degrees[i]));
         }
         return largest;
     }
 
-    /** {@return a new array of the 22 angles in degrees in the order of {@link Joint}} */
+    /** {@return a new array of the angles in degrees in the order of {@link #jointSpace()}, for the NAO that of {@link Joint}} */
     public double[] toArray() {
         return degrees.clone();
     }
 
-    private static void checkFinite(Joint joint, double degrees) {
+    private static void checkFinite(JointSpace space, int joint, double degrees) {
         if (!Double.isFinite(degrees)) {
-            throw new IllegalArgumentException(
-                    "Angle " + degrees + " for " + joint + " is not a finite number. Was something divided by zero?");
+            throw new IllegalArgumentException("Angle " + degrees + " for "
+                    + space.joints().get(joint).name() + " is not a finite number. Was something divided by zero?");
         }
     }
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Posture that && Arrays.equals(degrees, that.degrees);
+        return other instanceof Posture that && Arrays.equals(degrees, that.degrees) && space.equals(that.space);
     }
 
     @Override

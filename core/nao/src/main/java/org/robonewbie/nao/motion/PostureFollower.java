@@ -1,8 +1,7 @@
 package org.robonewbie.nao.motion;
 
-import java.util.function.ToDoubleFunction;
+import java.util.function.IntToDoubleFunction;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.Joint;
 
 /**
  * Trajectory follower for a plan of one posture per cycle. Each joint is given the speed that leads from the last
@@ -13,10 +12,8 @@ public final class PostureFollower {
     /** Fraction of the tracking error that is corrected in each cycle. */
     static final double CORRECTION = 0.5;
 
-    private static final Joint[] JOINTS = Joint.values();
-
     private final Motors motors;
-    private final double[] plannedDegrees = new double[Joint.COUNT];
+    private final double[] plannedDegrees;
 
     /**
      * Creates a follower that starts at the robot's current posture.
@@ -25,6 +22,7 @@ public final class PostureFollower {
      */
     public PostureFollower(Motors motors) {
         this.motors = motors;
+        plannedDegrees = new double[motors.joints().jointSpace().size()];
         takePosture();
     }
 
@@ -37,8 +35,8 @@ public final class PostureFollower {
     }
 
     private void takePosture() {
-        for (Joint joint : JOINTS) {
-            plannedDegrees[joint.ordinal()] = motors.expectedDegrees(joint);
+        for (int i = 0; i < plannedDegrees.length; i++) {
+            plannedDegrees[i] = motors.expectedDegrees(i);
         }
     }
 
@@ -52,17 +50,16 @@ public final class PostureFollower {
     }
 
     /** Sets the speeds that lead to the next planned angles and correct a fraction of the tracking error. */
-    void follow(ToDoubleFunction<Joint> next, double correction) {
-        for (Joint joint : JOINTS) {
-            follow(joint, next.applyAsDouble(joint), correction);
+    void follow(IntToDoubleFunction next, double correction) {
+        for (int i = 0; i < plannedDegrees.length; i++) {
+            follow(i, next.applyAsDouble(i), correction);
         }
     }
 
-    private void follow(Joint joint, double next, double correction) {
-        int i = joint.ordinal();
-        double angle = Motors.inside(joint, next);
-        double error = plannedDegrees[i] - motors.expectedDegrees(joint);
-        motors.setMotionSpeed(joint, (angle - plannedDegrees[i] + correction * error) / Cycle.SECONDS);
-        plannedDegrees[i] = angle;
+    private void follow(int joint, double next, double correction) {
+        double angle = motors.inside(joint, next);
+        double error = plannedDegrees[joint] - motors.expectedDegrees(joint);
+        motors.setMotionSpeed(joint, (angle - plannedDegrees[joint] + correction * error) / Cycle.SECONDS);
+        plannedDegrees[joint] = angle;
     }
 }

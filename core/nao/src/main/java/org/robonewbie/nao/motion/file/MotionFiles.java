@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.nao.motion.JointSpace;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionLibrary;
 import org.robonewbie.nao.motion.MotionSource;
@@ -61,14 +62,26 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Loads a file.
+     * Loads a file of the NAO.
      *
      * @param path the file
      * @return the contents of the file; lines that cannot be parsed are kept, see {@link MotionFile#errors}
      * @throws IOException if the file cannot be read, is not a regular file, or is larger than {@link #MAX_BYTES}
      */
     public static MotionFile load(Path path) throws IOException {
-        return MotionFile.parse(String.valueOf(path.getFileName()), RegularFile.read(path, MAX_BYTES));
+        return load(path, JointSpace.NAO);
+    }
+
+    /**
+     * Loads a file of any robot.
+     *
+     * @param path the file
+     * @param space the joints of the robot
+     * @return the contents of the file; lines that cannot be parsed are kept, see {@link MotionFile#errors}
+     * @throws IOException if the file cannot be read, is not a regular file, or is larger than {@link #MAX_BYTES}
+     */
+    public static MotionFile load(Path path, JointSpace space) throws IOException {
+        return MotionFile.parse(String.valueOf(path.getFileName()), RegularFile.read(path, MAX_BYTES), space);
     }
 
     /**
