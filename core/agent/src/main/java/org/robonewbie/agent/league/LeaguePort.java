@@ -97,7 +97,8 @@ public final class LeaguePort implements MessagePort {
             return false;
         }
         LeaguePerception perception = reader.read(received);
-        if (!joined && Double.isNaN(perception.joints().degrees(0))) {
+        boolean isToAgent = perception.message().seconds().isPresent(); // unlike messages to monitors
+        if (!joined && isToAgent && Double.isNaN(perception.joints().degrees(0))) {
             throw new IOException("it speaks SimSpark's protocol, so it has NAOs only: leave out --robot "
                     + model.name() + ", or connect to RCSSServerMJ.");
         }
