@@ -120,7 +120,7 @@ final class AgentRunner {
         RobotThreads lives = new RobotThreads();
         boolean oneByOne = simulator.isServer();
         for (int i = 0; i < agents.size(); i++) {
-            JoinTurn turn = new JoinTurn();
+            JoinTurn turn = options.get(i).leagueRobot().isPresent() ? JoinTurn.ofLeague() : new JoinTurn();
             Agent agent = agents.get(i);
             AgentLink link = connect();
             Options own = options.get(i);

@@ -108,13 +108,13 @@ final class LeagueMotors implements Locomotion {
         walk.ifPresent(learned -> learned.sense(newTorso));
     }
 
-    /** Starts to move from the present posture into the stance, with the arms as a NAO has them at 0°. */
+    /** Starts to move into the stance, with the arms as a NAO has them at 0°. The server has set all joints to 0°. */
     void placed() {
         walking = false;
         wanted = WalkVelocity.ZERO;
         Arrays.fill(degreesPerSecond, 0);
         shared.forEach(joint -> armDegrees[joint.index()] = joint.fromNao(0));
-        change(degrees, SECONDS_TO_STANCE);
+        change(new double[degrees.length], SECONDS_TO_STANCE);
     }
 
     /** Starts a smooth change from given angles to those that {@link #targets} returns. */

@@ -11,6 +11,8 @@ import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -72,6 +74,7 @@ public final class LeaguePort implements MessagePort {
         this.writer = new LeagueMessageWriter(answer, model);
         this.motors = new LeagueMotors(model, walkOf(model), robot.diagnostics());
         this.shared = motors.shared();
+        robot.sensors().setEquipment(new LeagueCamera(model, shared), false);
         robot.walk().setLocomotion(motors);
     }
 
@@ -156,12 +159,17 @@ public final class LeaguePort implements MessagePort {
             if (!motors.setSpeed(hinge.effectorName(), speed)) {
                 diagnostics.reportAt("", "league legs", () -> ignored(hinge.effectorName()));
             }
-        } else if (command instanceof Beam beam) {
-            writer.beam(beam.pose());
+        } else if (command instanceof Beam beam && robot.sensors().isBeamAllowed()) {
+            writer.beam(onServer(beam.pose()));
             motors.placed();
         } else if (command instanceof Say say) {
             say(say.text());
         }
+    }
+
+    /** Converts a pose in the team's frame. The server turns the heading of the right team, but only mirrors its x axis. */
+    private Pose2d onServer(Pose2d pose) {
+        return robot.sensors().side() == TeamSide.LEFT ? pose : new Pose2d(pose.x(), -pose.y(), pose.degrees());
     }
 
     private void say(String text) {

@@ -20,7 +20,7 @@ import org.robonewbie.nao.motion.Posture;
 /**
  * Odometry from the legs and the gyroscope: the support foot is assumed not to move, so the joint angles of its leg
  * determine the movement of the torso; the gyroscope measures the rotation. Feet slip, so the estimate drifts, but it
- * is accurate over a few seconds.
+ * is accurate over a few seconds. Without force sensors in the feet, as on a T1, only the rotation is known.
  *
  * <pre>{@code
  * odometry.update(nao);                                      // in each cycle
@@ -56,7 +56,7 @@ public final class Odometry {
     public void update(Robot nao) {
         BodyPoses body = kinematics.poses(posture(nao));
         Pose2d now = torsoOn(body, support);
-        standing = begun && !nao.isFallen();
+        standing = begun && !nao.isFallen() && nao.getFootPressure(support).isPresent();
         step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
         Vector3 place = pose.toFrame(step);

@@ -10,7 +10,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
@@ -112,6 +114,58 @@ class LeaguePortTest {
     }
 
     @Test
+    void aBeamStartsFromStretchedJointsAndEndsInTheStance() throws IOException {
+        receive(GAME);
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+        double stance = target("lle4");
+
+        send(new Beam(Pose2d.ORIGIN));
+        double first = target("lle4");
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        assertThat(first).isBetween(0.0, 2.0);
+        assertThat(target("lle4")).isEqualTo(stance).isEqualTo(40);
+    }
+
+    @Test
+    void aBeamInPlayIsNotSent() throws IOException {
+        receive("(GS (t 0.0)(pm PlayOn)(tl Blue)(sl 0)(sr 0))");
+
+        send(new Beam(Pose2d.ORIGIN));
+
+        assertThat(server.sent.get(0)).doesNotContain("beam");
+    }
+
+    @Test
+    void theRightTeamBeamsInItsOwnFrame() throws IOException {
+        receive("(GS (t 0.0)(pm BeforeKickOff)(tl Red)(tr Blue)(sl 0)(sr 0))");
+
+        send(new Beam(new Pose2d(-2, 1, 90)));
+
+        assertThat(server.sent.get(0)).startsWith("(beam -2 -1 90)");
+    }
+
+    @Test
+    void theCameraTurnsWithTheNeck() throws IOException {
+        Pose ahead = robot.sensors().cameraPose();
+        receive(GAME + joint("q_hj2", 90));
+        Pose down = robot.sensors().cameraPose();
+
+        assertThat(ahead.position().distanceTo(new Vector3(0.1125, 0, 0.42485))).isLessThan(1e-9);
+        assertThat(down.position().distanceTo(new Vector3(0.1825, 0, 0.25485))).isLessThan(1e-9);
+        assertThat(down.rotation().apply(new Vector3(1, 0, 0)).z()).isCloseTo(-1, within(1e-9));
+    }
+
+    @Test
+    void hasNoForceSensorsInItsFeet() {
+        assertThat(robot.sensors().hasFootSensors()).isFalse();
+    }
+
+    @Test
     void saysWhatTheServerPassesOn() throws IOException {
         send(new Say("hallo"), new Say("aVeryLongText"));
 
@@ -143,6 +197,7 @@ class LeaguePortTest {
     private void receive(String message) throws IOException {
         server.next.add(message + joint("q_hj1", 0));
         port.receive();
+        robot.sense(port.message());
     }
 
     private void send(EffectorCommand... commands) throws IOException {
