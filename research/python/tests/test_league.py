@@ -2,8 +2,8 @@
 
 import importlib.util
 import math
+import os
 import re
-import signal
 import socket
 import statistics
 import subprocess
@@ -203,6 +203,7 @@ class ServerTest(unittest.TestCase):
     """Each test has a server of its own, which agents reach by a port that keeps its messages; agents are Java programs."""
 
     robot = "NAO"
+    orders = ()  # what a trainer orders after 3 s
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -221,7 +222,8 @@ class ServerTest(unittest.TestCase):
         listener = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(listener.close)
         self.port = listener.getsockname()[1]
-        served = (listener, ("127.0.0.1", ports[0]), self.messages.append)
+        self.monitor_port = ports[1]
+        served = (listener, ("127.0.0.1", ports[0]), self._on_message)
         threading.Thread(target=self.serve, args=served, daemon=True).start()
 
     def serve(self, listener, server_address, on_message):
@@ -245,18 +247,27 @@ class ServerTest(unittest.TestCase):
             agent.close()
             server.close()
 
-    def _end_server(self):
-        self.server.send_signal(signal.SIGINT)
-        self.server.communicate(timeout=30)
+    def _on_message(self, message):
+        self.messages.append(message)
+        if len(self.messages) == 150 and self.orders:
+            monitor = socket.create_connection(("127.0.0.1", self.monitor_port))
+            self.addCleanup(monitor.close)
+            connection = league.Connection(monitor)
+            for order in self.orders:
+                connection.send(order)
 
-    def _run(self, name, source, seconds):
+    def _end_server(self):
+        self.server.kill()  # it does not always notice an interrupt
+        self.server.communicate()
+
+    def _run(self, name, source, seconds, *more):
         file = self.folder / f"{name}.java"
         file.write_text(source, encoding="utf-8")
-        options = ["--host", "127.0.0.1", "--port", str(self.port), "--robot", self.robot, "--seconds", str(seconds), "--headless"]
+        options = ["--host", "127.0.0.1", "--port", str(self.port), "--robot", self.robot, "--seconds", str(seconds), "--headless", *more]
         done = subprocess.run([*_command(), "run", str(file), *options], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIsNone(self.server.poll())
-        return done.stdout
+        return done.stdout + done.stderr
 
     def _readings(self, pattern):
         """Returns the numbers that a sensor has sent from the start of the program until its end."""
@@ -329,6 +340,55 @@ class T1Test(ServerTest):
         self.assertLess(statistics.median(errors), 0.05)
         self.assertLess(max(errors), 0.1)
         self.assertEqual(lines[-1][-1], 31)  # all landmarks and the ball
+
+    def test_fallen_robot_waits_for_the_referee_and_walks_on(self):
+        self.orders = (b"(kickOff Left)", b"(agent (unum 2)(team RoboNewbie)(move3d -5 0 0.3 0.7071 0 0.7071 0))")
+        source = WALKER.replace("walk.towards(0.2, 0, 0)", "if (nao.isFallen()) { motions.startGetUp(); } else { walk.towards(0.5, 0, 0); }")
+
+        printed = self._run("Walker", source, 30, "--number", "2")
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")
+        self.assertLess(min(place[2] for place in places), 0.15)
+        self.assertGreater(places[-1][2], 0.55)
+        self.assertLess(abs(places[-1][1]), 20.5)  # the referee has placed it at 21 m
+        self.assertEqual(printed.count("The T1 has fallen and cannot get up"), 1)
+
+    def test_policy_of_the_user_walks(self):
+        shipped = Path(__file__).parents[3] / "core/agent/src/main/resources/policies/t1-walk.policy"
+        policy = self.folder / "mine.policy"
+        policy.write_bytes(shipped.read_bytes())
+
+        self._run("Walker", WALKER.replace("0.2, 0, 0", "0.5, 0, 0"), 6, "--walk", str(policy))
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
+        self.assertGreater(places[-1][0] - places[0][0], 0.5)
+
+    def test_program_of_the_page_walks_to_the_ball_as_t1_and_as_nao(self):
+        page = Path(__file__).parents[3] / "docs/from-nao-to-t1.md"
+        (source,) = re.findall(r"```java\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+        self._run("ToTheBall", source, 14, "--pose", "-2,0.5,0")
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")
+        self.assertGreater(math.hypot(*places[-1][:2]), 0.4)
+        self.assertLess(math.hypot(*places[-1][:2]), 0.95)
+        self.assertGreater(places[-1][2], 0.55)
+        options = ["--seconds", "5", "--fast", "--headless", "--pose", "-1,0,0"]
+        done = subprocess.run([*_command(), "run", str(self.folder / "ToTheBall.java"), *options], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_first_program_starts_the_server_itself(self):
+        file = self.folder / "MyRobot.java"
+        file.write_text(ROBOT, encoding="utf-8")
+        path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+        options = ["--robot", "T1", "--port", str(_free_port()), "--seconds", "3", "--headless"]
+
+        done = subprocess.run(
+            [*_command(), "run", str(file), *options], cwd=self.folder, env={**os.environ, "PATH": path}, capture_output=True, text=True
+        )
+
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Started RCSSServerMJ", done.stdout)
 
     def test_teams_share_one_match(self):
         printed = self._run("Two", TWO, 6)

@@ -110,6 +110,7 @@ public class Robot {
      * foot is in the air, and for a robot without force sensors}
      */
     public final FootPressure getLeftFootPressure() {
+        reportMissingFootSensors();
         return sensors().leftFoot();
     }
 
@@ -118,7 +119,18 @@ public class Robot {
      * foot is in the air, and for a robot without force sensors}
      */
     public final FootPressure getRightFootPressure() {
+        reportMissingFootSensors();
         return sensors().rightFoot();
+    }
+
+    private void reportMissingFootSensors() {
+        if (!sensors().hasFootSensors()) {
+            runtime.diagnostics()
+                    .report(
+                            "foot sensors",
+                            () -> "This robot has no force sensors in its feet, so the force is always 0:"
+                                    + " getFootPressure(leg) is empty for such robots.");
+        }
     }
 
     /**

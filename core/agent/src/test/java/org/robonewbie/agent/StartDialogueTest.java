@@ -137,6 +137,20 @@ class StartDialogueTest {
     }
 
     @Test
+    void saysWhyAPolicyCannotWalk() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 5))) {
+            Options t1 = options(server).with("robot", "T1");
+
+            assertThatThrownBy(() -> Nao.connect(t1.with("walk", "missing.policy")))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageStartingWith("--walk missing.policy cannot be used: ");
+            assertThatThrownBy(() -> Nao.connect(t1.with("robot", "NAO").with("walk", "missing.policy")))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageStartingWith("--walk needs --robot T1 or K1");
+        }
+    }
+
+    @Test
     void saysWhatToDoWithoutAServer() throws IOException {
         int freePort;
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {

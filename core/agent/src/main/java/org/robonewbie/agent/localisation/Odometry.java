@@ -63,10 +63,7 @@ public final class Odometry {
         pose = new Pose2d(
                 place.x(), place.y(), Angles.wrap(pose.degrees() + nao.getGyro().z() * Cycle.SECONDS));
         history[index(nao.getTime())] = pose;
-        support = nao.getLeftFootPressure().force().z()
-                        >= nao.getRightFootPressure().force().z()
-                ? Leg.LEFT
-                : Leg.RIGHT;
+        support = load(nao, Leg.LEFT) >= load(nao, Leg.RIGHT) ? Leg.LEFT : Leg.RIGHT;
         torsoOnSupport = torsoOn(body, support);
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
     }
@@ -111,6 +108,10 @@ public final class Odometry {
 
     private static Posture posture(Robot nao) {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
+    }
+
+    private static double load(Robot nao, Leg leg) {
+        return nao.getFootPressure(leg).map(pressure -> pressure.force().z()).orElse(0.0);
     }
 
     /** Returns the pose of the torso in the frame of a foot that is flat on the ground. */
