@@ -1,9 +1,11 @@
 """The NAO on RCSSServerMJ; tests on a real server are skipped without it (pip install rcsssmj==0.2.1)."""
 
 import importlib.util
+import math
+import os
 import re
-import signal
 import socket
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -52,6 +54,75 @@ public class Dancer extends Agent {
     protected void think() {
         if (motions.isFinished()) {
             motions.start("wave");
+        }
+    }
+}
+"""
+
+PLACES = """
+import java.util.Set;
+import java.util.TreeSet;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+
+public class Places extends Agent {
+    private final SelfLocalisation self = new SelfLocalisation();
+    private final Set<String> seen = new TreeSet<>();
+    private int cycle;
+
+    public static void main(String[] args) { new Places().run(args); }
+
+    @Override
+    protected void think() {
+        self.update(nao, fieldView);
+        nao.getVision().ifPresent(picture -> picture.sightings().forEach(sighting -> {
+            if (!sighting.name().startsWith(nao.getTeam())) {  // its own feet
+                seen.add(sighting.name());
+            }
+        }));
+        int place = cycle / 75;
+        if (place >= 20) {
+            walk.towards(0.5, 0, cycle % 200 < 100 ? 20 : -20);
+        } else if (cycle % 75 == 0) {
+            nao.beam(-2 - 1.2 * place, 15 * Math.sin(place), 50 * place % 360);
+        } else {
+            lookAround.look();
+        }
+        if (++cycle % 75 == 0) {
+            System.out.printf("place %.2f %.3f %.3f %d%n", nao.getTime(), self.pose().x(), self.pose().y(), seen.size());
+        }
+    }
+}
+"""
+TWO = """
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.nao.Vector3;
+
+public class Two extends Agent {
+    private final SelfLocalisation self = new SelfLocalisation();
+    private final String team;
+    private int cycle;
+
+    private Two(String team) { this.team = team; }
+
+    public static void main(String[] args) { runTogether(args, new Two("Blue"), new Two("Red")); }
+
+    @Override
+    protected Options defaults() { return Options.none().withTeam(team).withNumber(3).withPose(-6, 2, -20); }
+
+    @Override
+    protected void think() {
+        self.update(nao, fieldView);
+        if (team.equals("Blue")) {
+            nao.say("hallo");
+        }
+        if (cycle++ == 60) {
+            nao.getHeard().forEach(heard -> System.out.println(team + " heard " + heard.text()));
+            Vector3 ball = self.pose().toFrame(fieldView.ball().position());
+            System.out.printf("%s %s %s pose %.1f %.1f %.0f ball %.0f %.0f others %d%n", team, nao.getTeamSide(), nao.getPlayMode(),
+                    self.pose().x(), self.pose().y(), self.pose().degrees(), ball.x(), ball.y(), fieldView.opponents().size());
         }
     }
 }
@@ -132,6 +203,7 @@ class ServerTest(unittest.TestCase):
     """Each test has a server of its own, which agents reach by a port that keeps its messages; agents are Java programs."""
 
     robot = "NAO"
+    orders = ()  # what a trainer orders after 3 s
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -150,12 +222,20 @@ class ServerTest(unittest.TestCase):
         listener = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(listener.close)
         self.port = listener.getsockname()[1]
-        served = (listener, ("127.0.0.1", ports[0]), self.messages.append)
+        self.monitor_port = ports[1]
+        served = (listener, ("127.0.0.1", ports[0]), self._on_message)
         threading.Thread(target=self.serve, args=served, daemon=True).start()
 
     def serve(self, listener, server_address, on_message):
-        """Passes all messages between one agent and the server."""
-        agent = league.Connection(listener.accept()[0])
+        while True:
+            try:
+                agent = league.Connection(listener.accept()[0])
+            except OSError:
+                return
+            threading.Thread(target=self._pass_on, args=(agent, server_address, on_message), daemon=True).start()
+
+    def _pass_on(self, agent, server_address, on_message):
+        """Passes all messages between an agent and the server."""
         server = league.Connection(socket.create_connection(server_address))
         try:
             while True:
@@ -167,17 +247,27 @@ class ServerTest(unittest.TestCase):
             agent.close()
             server.close()
 
-    def _end_server(self):
-        self.server.send_signal(signal.SIGINT)
-        self.server.communicate(timeout=30)
+    def _on_message(self, message):
+        self.messages.append(message)
+        if len(self.messages) == 150 and self.orders:
+            monitor = socket.create_connection(("127.0.0.1", self.monitor_port))
+            self.addCleanup(monitor.close)
+            connection = league.Connection(monitor)
+            for order in self.orders:
+                connection.send(order)
 
-    def _run(self, name, source, seconds):
+    def _end_server(self):
+        self.server.kill()  # it does not always notice an interrupt
+        self.server.communicate()
+
+    def _run(self, name, source, seconds, *more):
         file = self.folder / f"{name}.java"
         file.write_text(source, encoding="utf-8")
-        options = ["--host", "127.0.0.1", "--port", str(self.port), "--robot", self.robot, "--seconds", str(seconds), "--headless"]
+        options = ["--host", "127.0.0.1", "--port", str(self.port), "--robot", self.robot, "--seconds", str(seconds), "--headless", *more]
         done = subprocess.run([*_command(), "run", str(file), *options], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIsNone(self.server.poll())
+        return done.stdout + done.stderr
 
     def _readings(self, pattern):
         """Returns the numbers that a sensor has sent from the start of the program until its end."""
@@ -238,6 +328,75 @@ class T1Test(ServerTest):
         places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
         self.assertGreater(places[-1][0] - places[0][0], 1.5)
         self.assertGreater(min(place[2] for place in places), 0.55)
+
+
+    def test_finds_its_place_by_what_it_sees(self):
+        printed = self._run("Places", PLACES, 38)
+
+        truth = {round(time, 2): (x, y) for time, x, y in self._readings(rb"\(now ([\d.]+)\).*torso_pos\) \(p ([-\d.]+) ([-\d.]+)")}
+        lines = [[float(word) for word in line.split()[1:]] for line in printed.splitlines() if line.startswith("place ")]
+        errors = [math.dist(truth[time], (x, y)) for time, x, y, _ in lines]
+        self.assertGreaterEqual(len(errors), 24)
+        self.assertLess(statistics.median(errors), 0.05)
+        self.assertLess(max(errors), 0.1)
+        self.assertEqual(lines[-1][-1], 31)  # all landmarks and the ball
+
+    def test_fallen_robot_waits_for_the_referee_and_walks_on(self):
+        self.orders = (b"(kickOff Left)", b"(agent (unum 2)(team RoboNewbie)(move3d -5 0 0.3 0.7071 0 0.7071 0))")
+        source = WALKER.replace("walk.towards(0.2, 0, 0)", "if (nao.isFallen()) { motions.startGetUp(); } else { walk.towards(0.5, 0, 0); }")
+
+        printed = self._run("Walker", source, 30, "--number", "2")
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")
+        self.assertLess(min(place[2] for place in places), 0.15)
+        self.assertGreater(places[-1][2], 0.55)
+        self.assertLess(abs(places[-1][1]), 20.5)  # the referee has placed it at 21 m
+        self.assertEqual(printed.count("The T1 has fallen and cannot get up"), 1)
+
+    def test_policy_of_the_user_walks(self):
+        shipped = Path(__file__).parents[3] / "core/agent/src/main/resources/policies/t1-walk.policy"
+        policy = self.folder / "mine.policy"
+        policy.write_bytes(shipped.read_bytes())
+
+        self._run("Walker", WALKER.replace("0.2, 0, 0", "0.5, 0, 0"), 6, "--walk", str(policy))
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")[15:]
+        self.assertGreater(places[-1][0] - places[0][0], 0.5)
+
+    def test_program_of_the_page_walks_to_the_ball_as_t1_and_as_nao(self):
+        page = Path(__file__).parents[3] / "docs/from-nao-to-t1.md"
+        (source,) = re.findall(r"```java\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+        self._run("ToTheBall", source, 14, "--pose", "-2,0.5,0")
+
+        places = self._readings(rb"\(pos \(n torso_pos\) \(p ([-\d.]+) ([-\d.]+) ([-\d.]+)\)\)")
+        self.assertGreater(math.hypot(*places[-1][:2]), 0.4)
+        self.assertLess(math.hypot(*places[-1][:2]), 0.95)
+        self.assertGreater(places[-1][2], 0.55)
+        options = ["--seconds", "5", "--fast", "--headless", "--pose", "-1,0,0"]
+        done = subprocess.run([*_command(), "run", str(self.folder / "ToTheBall.java"), *options], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_first_program_starts_the_server_itself(self):
+        file = self.folder / "MyRobot.java"
+        file.write_text(ROBOT, encoding="utf-8")
+        path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+        options = ["--robot", "T1", "--port", str(_free_port()), "--seconds", "3", "--headless"]
+
+        done = subprocess.run(
+            [*_command(), "run", str(file), *options], cwd=self.folder, env={**os.environ, "PATH": path}, capture_output=True, text=True
+        )
+
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Started RCSSServerMJ", done.stdout)
+
+    def test_teams_share_one_match(self):
+        printed = self._run("Two", TWO, 6)
+
+        self.assertRegex(printed, "Blue LEFT BEFORE_KICK_OFF pose -6.0 2.0 -20 ball -?0 -?0 others 1")
+        self.assertRegex(printed, "Red RIGHT BEFORE_KICK_OFF pose -6.0 2.0 -20 ball -?0 -?0 others 1")
+        self.assertIn("Red heard hallo", printed)
+        self.assertNotIn("Blue heard", printed)
 
 
 @unittest.skipUnless(SERVER, "rcsssmj is not installed")

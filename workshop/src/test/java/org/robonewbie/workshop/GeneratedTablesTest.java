@@ -23,6 +23,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.ExamplesOnT1;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.competition.contest.Contests;
@@ -42,6 +44,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.trial.RandomSource;
+import org.robonewbie.workshop.load.ExampleLoad;
 
 /**
  * Tables of the documentation that are computed from the product. Each stands on one page, between the comments {@code <!--
@@ -56,6 +59,7 @@ class GeneratedTablesTest {
             Map.entry("shipped motions", GeneratedTablesTest::motions),
             Map.entry("shipped policies", GeneratedTablesTest::policies),
             Map.entry("joints", GeneratedTablesTest::joints),
+            Map.entry("examples on a T1", GeneratedTablesTest::examplesOnT1),
             Map.entry("scenes", GeneratedTablesTest::scenes),
             Map.entry("things", GeneratedTablesTest::things),
             Map.entry("contests", GeneratedTablesTest::contests),
@@ -198,6 +202,28 @@ class GeneratedTablesTest {
 
     private static String metres(double... lengths) {
         return DoubleStream.of(lengths).mapToObj(GeneratedTablesTest::number).collect(Collectors.joining(", "));
+    }
+
+    /** One row for each group of examples to which the framework reports the same restrictions. */
+    private static List<String> examplesOnT1() {
+        Map<String, String> restrictions = new LinkedHashMap<>();
+        restrictions.put("commands and motions for its legs are ignored", "its motions of the legs");
+        restrictions.put("cannot walk sideways", "walking sideways");
+        restrictions.put("cannot walk backwards", "walking backwards");
+        restrictions.put("has no force sensors in its feet", "the force on its feet, which is 0");
+        restrictions.put("can say at most 10 characters", "what it says, which is too long");
+        List<List<String>> cells = new ArrayList<>();
+        Map<String, Class<? extends Agent>> examples = ExampleLoad.examples();
+        examples.remove("Agent_KeyframeDeveloper"); // plays a file that it creates
+        examples.forEach((name, type) -> {
+            List<String> reports = ExamplesOnT1.reports(ExampleLoad.agents(type).get(0));
+            String missing = restrictions.entrySet().stream()
+                    .filter(restriction -> reports.stream().anyMatch(report -> report.contains(restriction.getKey())))
+                    .map(Map.Entry::getValue)
+                    .collect(Collectors.joining("; "));
+            cells.add(List.of(name, missing.isEmpty() ? "everything" : "all but " + missing));
+        });
+        return grouped(header("example", "what plays on a T1"), cells);
     }
 
     private static List<String> contests() {

@@ -1,6 +1,8 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -12,7 +14,9 @@ import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.league.LeaguePlayer;
 import org.robonewbie.agent.league.LeaguePort;
+import org.robonewbie.agent.league.LearnedWalk;
 import org.robonewbie.agent.running.ConnectTimeoutHint;
 import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.DeadlineMonitor;
@@ -22,6 +26,7 @@ import org.robonewbie.agent.running.RobotThreads;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.robot.RobotModel;
 
 /** Runs the agents of one program in the same game. */
 final class AgentRunner {
@@ -57,7 +62,9 @@ final class AgentRunner {
         try {
             SimulatorConnection simulator = SimulatorConnection.open(SimulatorChoice.of(options, robots, agent));
             System.out.println(simulator.description());
-            if (options.isTruth() && simulator.isServer()) {
+            if (options.isTruth()
+                    && simulator.isServer()
+                    && options.leagueRobot().isEmpty()) {
                 System.err.println(
                         "--truth has no effect here: the running simulator decides whether it sends true positions.");
             }
@@ -93,9 +100,22 @@ final class AgentRunner {
 
     private static MessagePort port(RobotRuntime robot, AgentLink link, Options options) {
         return options.leagueRobot()
-                .<MessagePort>map(
-                        model -> new LeaguePort(link, robot, model, options.team(), Math.max(1, options.number())))
+                .<MessagePort>map(model -> new LeaguePort(
+                        link,
+                        robot,
+                        new LeaguePlayer(model, options.team(), Math.max(1, options.number())),
+                        walk(model, options),
+                        options.isTruth()))
                 .orElseGet(() -> new LinkPort(link, robot.sensors().buffer()));
+    }
+
+    private static Optional<LearnedWalk> walk(RobotModel model, Options options) {
+        try {
+            return LearnedWalk.of(model, options.walk().map(Path::of));
+        } catch (IllegalArgumentException | UncheckedIOException unusable) {
+            throw new StartUpException(
+                    "--walk " + options.walk().orElse("") + " cannot be used: " + unusable.getMessage());
+        }
     }
 
     private static void check(List<Agent> agents) {
@@ -120,7 +140,7 @@ final class AgentRunner {
         RobotThreads lives = new RobotThreads();
         boolean oneByOne = simulator.isServer();
         for (int i = 0; i < agents.size(); i++) {
-            JoinTurn turn = new JoinTurn();
+            JoinTurn turn = options.get(i).leagueRobot().isPresent() ? JoinTurn.ofLeague() : new JoinTurn();
             Agent agent = agents.get(i);
             AgentLink link = connect();
             Options own = options.get(i);

@@ -296,6 +296,11 @@ public final class Options {
         return isSet(Option.TRUTH);
     }
 
+    /** {@return the policy file for the walk of a robot of today's league; empty for the shipped one} */
+    public Optional<String> walk() {
+        return text(Option.WALK);
+    }
+
     /** {@return the JSON file for the report, if any} */
     public Optional<String> report() {
         return text(Option.REPORT);

@@ -15,6 +15,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.Drawing;
 
@@ -91,19 +93,44 @@ public class Robot {
     }
 
     /**
+     * Reads the force sensor of a foot, updated in each cycle.
+     *
+     * @param leg the leg
+     * @return the force on the sole and the point where it acts; the force is zero while the foot is in the air; empty if the robot
+     *     has no force sensors in its feet, such as a T1
+     */
+    public final Optional<FootPressure> getFootPressure(Leg leg) {
+        return sensors().hasFootSensors()
+                ? Optional.of(leg == Leg.LEFT ? sensors().leftFoot() : sensors().rightFoot())
+                : Optional.empty();
+    }
+
+    /**
      * {@return the force on the left sole and the point where it acts, updated in each cycle; the force is zero while the
-     * foot is in the air}
+     * foot is in the air, and for a robot without force sensors}
      */
     public final FootPressure getLeftFootPressure() {
+        reportMissingFootSensors();
         return sensors().leftFoot();
     }
 
     /**
      * {@return the force on the right sole and the point where it acts, updated in each cycle; the force is zero while the
-     * foot is in the air}
+     * foot is in the air, and for a robot without force sensors}
      */
     public final FootPressure getRightFootPressure() {
+        reportMissingFootSensors();
         return sensors().rightFoot();
+    }
+
+    private void reportMissingFootSensors() {
+        if (!sensors().hasFootSensors()) {
+            runtime.diagnostics()
+                    .report(
+                            "foot sensors",
+                            () -> "This robot has no force sensors in its feet, so the force is always 0:"
+                                    + " getFootPressure(leg) is empty for such robots.");
+        }
     }
 
     /**
@@ -113,6 +140,11 @@ public class Robot {
      */
     public final Optional<CameraPicture> getVision() {
         return sensors().picture();
+    }
+
+    /** {@return the pose of the camera in the torso's frame, according to the angle sensors of the neck} */
+    public final Pose getCameraPose() {
+        return sensors().cameraPose();
     }
 
     /** {@return messages from other robots in this cycle, usually none; the robot's own messages are not included} */

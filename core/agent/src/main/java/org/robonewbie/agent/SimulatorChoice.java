@@ -20,6 +20,10 @@ final class SimulatorChoice {
 
     /** Rejects options that require an embedded simulator if the same {@link OptionSource} also specifies a server. */
     static void check(Options options) {
+        if (options.walk().isPresent() && options.leagueRobot().isEmpty()) {
+            throw new StartUpException(Option.WALK.argument() + " needs " + Option.ROBOT.argument()
+                    + " T1 or K1: the NAO's walk is chosen by the program.");
+        }
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {
             if (options.leagueRobot().isPresent() && options.strength(own) >= 0) {

@@ -23,6 +23,8 @@ final class StartDialogue {
     private static final String LEAGUE_ADVICE = "RCSSServerMJ, the server of today's league, which does not speak"
             + " SimSpark's protocol: start \"robonewbie simulator\" instead, or play there through"
             + " \"python -m robonewbie.league bridge\".";
+    private static final String LEAGUE_AGENT_PORT =
+            "RCSSServerMJ, which is for watching: join at its agent port, which is usually 60000 (--port 60000).";
     private static final int MAX_MESSAGES = 100;
 
     private final MessagePort port;
@@ -69,7 +71,8 @@ final class StartDialogue {
     /** Monitor messages start with a list of lists; messages to agents start with a named list. */
     private void refuseMonitorPort() throws IOException {
         if (robot.sensors().buffer().startsWith(LEAGUE_MONITOR_START)) {
-            throw new IOException("this is the monitor port of " + LEAGUE_ADVICE);
+            throw new IOException("this is the monitor port of "
+                    + (options.leagueRobot().isPresent() ? LEAGUE_AGENT_PORT : LEAGUE_ADVICE));
         } else if (robot.sensors().buffer().startsWith(MONITOR_START)) {
             throw new IOException(
                     "this is the monitor port of a SimSpark server, which is for watching: join at its agent port,"

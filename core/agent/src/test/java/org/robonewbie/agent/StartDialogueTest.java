@@ -104,15 +104,20 @@ class StartDialogueTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "((RSMP 1 0)((gt 1 0)0.04)) | this is the monitor port of RCSSServerMJ",
-                "((FieldLength 30)(FieldWidth 20)) | this is the monitor port of a SimSpark server"
+                "NAO | ((RSMP 1 0)((gt 1 0)0.04)) | this is the monitor port of RCSSServerMJ",
+                "NAO | ((FieldLength 30)(FieldWidth 20)) | this is the monitor port of a SimSpark server",
+                "T1 | ((RSMP 1 0)((gt 1 0)0.04)) | RCSSServerMJ, which is for watching: join at its agent port, which is"
+                        + " usually 60000 (--port 60000).",
+                "T1 | ((FieldLength 30)(FieldWidth 20)) | this is the monitor port of a SimSpark server"
             })
-    void saysWhoseMonitorPortItIs(String message, String reason) throws Exception {
+    void saysWhoseMonitorPortItIs(String robot, String message, String reason) throws Exception {
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             Thread server = new Thread(() -> send(socket, message), "monitor port");
             server.start();
-            Options options =
-                    Options.none().with("host", "127.0.0.1").with("port", Integer.toString(socket.getLocalPort()));
+            Options options = Options.none()
+                    .with("host", "127.0.0.1")
+                    .with("port", Integer.toString(socket.getLocalPort()))
+                    .with("robot", robot);
 
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
@@ -128,6 +133,20 @@ class StartDialogueTest {
             client.getInputStream().transferTo(OutputStream.nullOutputStream());
         } catch (IOException left) {
             // The client has left.
+        }
+    }
+
+    @Test
+    void saysWhyAPolicyCannotWalk() throws Exception {
+        try (ScriptedServer server = new ScriptedServer(script(2, 5))) {
+            Options t1 = options(server).with("robot", "T1");
+
+            assertThatThrownBy(() -> Nao.connect(t1.with("walk", "missing.policy")))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageStartingWith("--walk missing.policy cannot be used: ");
+            assertThatThrownBy(() -> Nao.connect(t1.with("robot", "NAO").with("walk", "missing.policy")))
+                    .isInstanceOf(StartUpException.class)
+                    .hasMessageStartingWith("--walk needs --robot T1 or K1");
         }
     }
 

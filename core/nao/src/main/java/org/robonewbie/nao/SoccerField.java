@@ -31,6 +31,9 @@ public record SoccerField(
     /** The league's pitch, 30 m × 20 m. */
     public static final SoccerField LEAGUE = new SoccerField(30, 20, 2.1, 0.6, 0.8, 1.8, 3.9, 2.0);
 
+    /** The pitch of today's league, for teams of seven on RCSSServerMJ, 55 m × 36 m. */
+    public static final SoccerField SEVEN = new SoccerField(55, 36, 3.66, 1, 1.83, 9, 12.84, 5.5);
+
     /** The small pitch for beginners, 12 m × 8 m. */
     public static final SoccerField BEGINNER = new SoccerField(12, 8, 1.4, 0.4, 0.8, 1.2, 2.6, 1.3);
 

@@ -130,8 +130,13 @@ public final class ExampleLoad {
         }
     }
 
-    /** Creates the robots of an example: a team if its constructor takes a player number, otherwise one robot. */
-    private static List<Agent> agents(Class<? extends Agent> type) {
+    /**
+     * Creates the robots of an example.
+     *
+     * @param type its class
+     * @return a team if its constructor takes a player number, otherwise one robot
+     */
+    public static List<Agent> agents(Class<? extends Agent> type) {
         boolean team = Arrays.stream(type.getConstructors()).anyMatch(each -> each.getParameterCount() == 1);
         return team
                 ? IntStream.rangeClosed(1, PLAYERS_OF_A_TEAM)

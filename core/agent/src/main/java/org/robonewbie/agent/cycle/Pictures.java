@@ -22,6 +22,7 @@ final class Pictures {
         vision.ball().ifPresent(place -> sightings.add(sighting("ball", place)));
         vision.landmarks()
                 .forEach(seen -> sightings.add(sighting(seen.landmark().name(), seen.position())));
+        vision.markings().forEach(seen -> sightings.add(sighting(seen.marking().name(), seen.position())));
         vision.players().forEach(player -> addPlayer(player, sightings));
         for (SeenLine line : vision.lines()) {
             sightings.add(sighting("end of a line", line.start()));

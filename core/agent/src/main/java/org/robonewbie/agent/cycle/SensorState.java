@@ -12,6 +12,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.JointStates;
@@ -28,6 +30,8 @@ public final class SensorState {
 
     static final Joint[] JOINTS = Joint.values();
 
+    private static final ForwardKinematics NAO = ForwardKinematics.of(RobotType.TYPE_0);
+
     private final JointStates joints = new JointStates();
     private final FallDetector falls = new FallDetector();
     private TorsoMotion torso = TorsoMotion.AT_REST;
@@ -43,6 +47,8 @@ public final class SensorState {
     private RobotType type = RobotType.TYPE_0;
     private int number;
     private boolean joined;
+    private CameraKinematics camera = NAO::camera;
+    private boolean hasFootSensors = true;
 
     /** Creates the state of a robot at rest. */
     public SensorState() {}
@@ -108,6 +114,27 @@ public final class SensorState {
      */
     public void setType(RobotType asked) {
         type = asked;
+    }
+
+    /**
+     * Sets the equipment of a robot other than a NAO.
+     *
+     * @param newCamera where its camera is
+     * @param footSensors whether it has force sensors in its feet
+     */
+    public void setEquipment(CameraKinematics newCamera, boolean footSensors) {
+        camera = newCamera;
+        hasFootSensors = footSensors;
+    }
+
+    /** {@return the pose of the camera in the torso's frame, according to the angles of the neck} */
+    public Pose cameraPose() {
+        return camera.pose(joints.degrees(Joint.NECK_YAW), joints.degrees(Joint.NECK_PITCH));
+    }
+
+    /** {@return whether the robot has force sensors in its feet} */
+    public boolean hasFootSensors() {
+        return hasFootSensors;
     }
 
     /** {@return the robot type; type 0 by default} */

@@ -29,6 +29,11 @@ final class LeagueMotors implements Locomotion {
     /** A target that runs further ahead of its joint makes the robot jerk as soon as the joint is free again. */
     private static final double MAX_LEAD_DEGREES = 10;
 
+    /** A joint turned this far, and in the next cycle all joints near 0°, can only mean that the server has set the joints. */
+    private static final double BENT_DEGREES = 30;
+
+    private static final double STRAIGHT_DEGREES = 10;
+
     private static final double ARM_STIFFNESS = 60;
     private static final double ARM_DAMPING = 1.5;
 
@@ -51,6 +56,7 @@ final class LeagueMotors implements Locomotion {
     private TorsoMotion torso = TorsoMotion.AT_REST;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
+    private boolean fallen;
     private double changeSeconds;
     private double secondsOfChange;
     private double secondsStopped;
@@ -98,23 +104,61 @@ final class LeagueMotors implements Locomotion {
         return shared;
     }
 
-    /** Updates the measured values. */
-    void sense(LeaguePerception.Joints joints, TorsoMotion newTorso) {
+    /**
+     * Updates the measured values.
+     *
+     * @return whether the referee or a beam has placed the robot, which then stands on straight legs
+     */
+    boolean sense(LeaguePerception.Joints joints, TorsoMotion newTorso) {
+        double before = largestDegrees();
         for (int i = 0; i < degrees.length; i++) {
             degrees[i] = finite(joints.degrees(i), degrees[i]);
             measuredDegreesPerSecond[i] = finite(joints.degreesPerSecond(i), measuredDegreesPerSecond[i]);
         }
         torso = newTorso;
         walk.ifPresent(learned -> learned.sense(newTorso));
+        boolean isPlaced = before > BENT_DEGREES && largestDegrees() < STRAIGHT_DEGREES;
+        if (isPlaced) {
+            placed();
+        }
+        return isPlaced;
     }
 
-    /** Starts to move from the present posture into the stance, with the arms as a NAO has them at 0°. */
-    void placed() {
+    private double largestDegrees() {
+        return Arrays.stream(degrees).map(Math::abs).max().orElse(0);
+    }
+
+    /**
+     * Sets whether the robot is lying on the ground. It then stretches, so that the referee recognises that it lies, and ignores all
+     * commands until it is placed on its feet.
+     */
+    void setFallen(boolean lying) {
+        if (lying && !fallen) {
+            fallen = true;
+            diagnostics.reportAt(
+                    "",
+                    "league fall",
+                    () -> "The " + model.name() + " has fallen and cannot get up: it waits until the referee puts it"
+                            + " beside the pitch, after 15 s (30 s for number 1).");
+            stop();
+            change(sentDegrees, SECONDS_TO_CHANGE);
+        } else if (!lying && fallen) {
+            placed();
+        }
+    }
+
+    private void stop() {
         walking = false;
         wanted = WalkVelocity.ZERO;
         Arrays.fill(degreesPerSecond, 0);
+    }
+
+    /** Starts to move into the stance, with the arms as a NAO has them at 0°. The server has set all joints to 0°. */
+    void placed() {
+        fallen = false;
+        stop();
         shared.forEach(joint -> armDegrees[joint.index()] = joint.fromNao(0));
-        change(degrees, SECONDS_TO_STANCE);
+        change(new double[degrees.length], SECONDS_TO_STANCE);
     }
 
     /** Starts a smooth change from given angles to those that {@link #targets} returns. */
@@ -126,6 +170,9 @@ final class LeagueMotors implements Locomotion {
 
     @Override
     public void towards(WalkVelocity velocity) {
+        if (fallen) {
+            return;
+        }
         if (walk.isEmpty() && !velocity.isZero()) {
             diagnostics.reportAt("", "league walk", () -> "The " + model.name() + " cannot walk yet; it only stands.");
         }
@@ -146,9 +193,12 @@ final class LeagueMotors implements Locomotion {
     /**
      * Sets the speed of a motor of the NAO, which stays in effect until the next one.
      *
-     * @return false if programs cannot move that joint of this robot
+     * @return false if programs cannot move that joint of this robot; a fallen robot ignores all commands
      */
     boolean setSpeed(String effectorName, double naoDegreesPerSecond) {
+        if (fallen) {
+            return true;
+        }
         for (SharedJoint joint : shared) {
             if (joint.joint().effectorName().equals(effectorName)) {
                 degreesPerSecond[joint.index()] = joint.sign() * naoDegreesPerSecond;
@@ -179,7 +229,7 @@ final class LeagueMotors implements Locomotion {
 
     /** Changes from standing to walking if a velocity is wanted, and back as soon as the program moves an arm after the robot stopped. */
     private void changeLegs() {
-        boolean starts = !walking && !wanted.isZero() && walk.isPresent();
+        boolean starts = !walking && !wanted.isZero() && walk.isPresent() && changeSeconds >= secondsOfChange;
         boolean ends = walking && secondsStopped >= SECONDS_TO_STOP && isArmMoving();
         if (starts) {
             walk.get().begin();
@@ -206,6 +256,9 @@ final class LeagueMotors implements Locomotion {
     }
 
     private double[] targets(double share) {
+        if (fallen) {
+            return new double[degrees.length];
+        }
         if (!walking) {
             return legs.stand(shared, armDegrees);
         }

@@ -8,9 +8,10 @@ import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.TorsoMotion;
-import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -25,7 +26,6 @@ import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.LeagueMessageReader;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
-import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotModel;
 
 /**
@@ -48,6 +48,7 @@ public final class LeaguePort implements MessagePort {
     private final LeagueMessageWriter writer;
     private final LeagueMotors motors;
     private final List<SharedJoint> shared;
+    private final Optional<LeagueTruth> truth;
     private boolean joined;
     private PerceptorMessage message = PerceptorMessage.NOTHING;
 
@@ -56,29 +57,27 @@ public final class LeaguePort implements MessagePort {
      *
      * @param link the connection to the server
      * @param robot the components of the program's robot
-     * @param model the robot to play with
-     * @param team name of its team
-     * @param number its player number, 1 to 11
+     * @param player the robot to play with
+     * @param walk its walk; empty for a robot that only stands
+     * @param truth whether camera pictures include the true positions of the robot and the ball
      */
-    public LeaguePort(AgentLink link, RobotRuntime robot, RobotModel model, String team, int number) {
+    public LeaguePort(
+            AgentLink link, RobotRuntime robot, LeaguePlayer player, Optional<LearnedWalk> walk, boolean truth) {
         this.link = link;
         this.received = robot.sensors().buffer();
         this.robot = robot;
-        this.model = model;
-        this.team = team;
-        this.number = number;
+        this.model = player.model();
+        this.team = player.team();
+        this.number = player.number();
         this.diagnostics = robot.diagnostics();
         this.reader = new LeagueMessageReader(model, team, number);
         this.writer = new LeagueMessageWriter(answer, model);
-        this.motors = new LeagueMotors(model, walkOf(model), robot.diagnostics());
+        this.motors = new LeagueMotors(model, walk, robot.diagnostics());
         this.shared = motors.shared();
+        LeagueCamera camera = new LeagueCamera(model, shared);
+        robot.sensors().setEquipment(camera, false);
+        this.truth = truth ? Optional.of(new LeagueTruth(camera)) : Optional.empty();
         robot.walk().setLocomotion(motors);
-    }
-
-    private static Optional<LearnedWalk> walkOf(RobotModel model) {
-        return model.equals(BoosterT1.MODEL)
-                ? Optional.of(new LearnedWalk(PolicyFile.shipped("t1-walk"), model))
-                : Optional.empty();
     }
 
     @Override
@@ -97,12 +96,15 @@ public final class LeaguePort implements MessagePort {
             return false;
         }
         LeaguePerception perception = reader.read(received);
-        if (!joined && Double.isNaN(perception.joints().degrees(0))) {
+        boolean isToAgent = perception.message().seconds().isPresent(); // unlike messages to monitors
+        if (!joined && isToAgent && Double.isNaN(perception.joints().degrees(0))) {
             throw new IOException("it speaks SimSpark's protocol, so it has NAOs only: leave out --robot "
                     + model.name() + ", or connect to RCSSServerMJ.");
         }
         joined = true;
-        motors.sense(perception.joints(), torso(perception.message()));
+        if (motors.sense(perception.joints(), torso(perception.message()))) {
+            robot.sensors().falls().reset();
+        }
         message = asNao(perception);
         return true;
     }
@@ -117,19 +119,22 @@ public final class LeaguePort implements MessagePort {
     /** Adds the joints that the robot has in common with the NAO. */
     private PerceptorMessage asNao(LeaguePerception perception) {
         PerceptorMessage common = perception.message();
+        JointAngles angles = JointAngles.of(shared.stream()
+                .filter(joint -> Double.isFinite(perception.joints().degrees(joint.index())))
+                .collect(Collectors.toMap(
+                        SharedJoint::joint,
+                        joint -> joint.toNao(perception.joints().degrees(joint.index())))));
         return new PerceptorMessage(
                 common.seconds(),
                 common.gameState(),
                 common.heard(),
                 common.gyro(),
                 common.accelerometer(),
-                JointAngles.of(shared.stream()
-                        .filter(joint -> Double.isFinite(perception.joints().degrees(joint.index())))
-                        .collect(Collectors.toMap(
-                                SharedJoint::joint,
-                                joint -> joint.toNao(perception.joints().degrees(joint.index()))))),
+                angles,
                 common.footForces(),
-                common.vision());
+                common.vision()
+                        .map(seen -> truth.map(known -> known.addTo(seen, perception, angles))
+                                .orElse(seen)));
     }
 
     @Override
@@ -143,6 +148,7 @@ public final class LeaguePort implements MessagePort {
         if (commands.stream().anyMatch(CreateRobot.class::isInstance)) {
             writer.join(team, number);
         } else {
+            motors.setFallen(robot.sensors().bodyPosition().isFallen());
             commands.forEach(this::follow);
             motors.write(writer);
         }
@@ -155,12 +161,17 @@ public final class LeaguePort implements MessagePort {
             if (!motors.setSpeed(hinge.effectorName(), speed)) {
                 diagnostics.reportAt("", "league legs", () -> ignored(hinge.effectorName()));
             }
-        } else if (command instanceof Beam beam) {
-            writer.beam(beam.pose());
+        } else if (command instanceof Beam beam && robot.sensors().isBeamAllowed()) {
+            writer.beam(onServer(beam.pose()));
             motors.placed();
         } else if (command instanceof Say say) {
             say(say.text());
         }
+    }
+
+    /** Converts a pose in the team's frame. The server turns the heading of the right team, but only mirrors its x axis. */
+    private Pose2d onServer(Pose2d pose) {
+        return robot.sensors().side() == TeamSide.LEFT ? pose : new Pose2d(pose.x(), -pose.y(), pose.degrees());
     }
 
     private void say(String text) {

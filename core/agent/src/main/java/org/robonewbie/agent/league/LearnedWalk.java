@@ -1,14 +1,19 @@
 package org.robonewbie.agent.league;
 
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
@@ -19,7 +24,7 @@ import org.robonewbie.robot.RobotModel;
  * <p>The policy is learned by {@code python -m robonewbie.t1 train}. Its file contains what the training assumed: stance, gains, rhythm
  * and units; the documentation of the Python package {@code robonewbie.t1} describes the rest, and this class must compute the same.
  */
-final class LearnedWalk {
+public final class LearnedWalk {
 
     private static final int JOINTS_PER_LEG = 6;
     private static final int OUTPUTS = 2 * JOINTS_PER_LEG;
@@ -49,6 +54,21 @@ final class LearnedWalk {
     private int cycle;
     private int phase;
     private double amplitude;
+
+    /**
+     * Loads the walk of a robot.
+     *
+     * @param model the robot
+     * @param file a policy file; empty for the shipped policy
+     * @return the walk; empty for a robot that only stands, because no policy is shipped for it
+     * @throws IllegalArgumentException if the file contains no policy for a walk of that robot
+     * @throws UncheckedIOException if the file cannot be read
+     */
+    public static Optional<LearnedWalk> of(RobotModel model, Optional<Path> file) {
+        Optional<Policy> shipped =
+                model.equals(BoosterT1.MODEL) ? Optional.of(PolicyFile.shipped("t1-walk")) : Optional.empty();
+        return file.map(PolicyFile::read).or(() -> shipped).map(policy -> new LearnedWalk(policy, model));
+    }
 
     /**
      * Creates a walk.

@@ -20,7 +20,7 @@ import org.robonewbie.nao.motion.Posture;
 /**
  * Odometry from the legs and the gyroscope: the support foot is assumed not to move, so the joint angles of its leg
  * determine the movement of the torso; the gyroscope measures the rotation. Feet slip, so the estimate drifts, but it
- * is accurate over a few seconds.
+ * is accurate over a few seconds. Without force sensors in the feet, as on a T1, only the rotation is known.
  *
  * <pre>{@code
  * odometry.update(nao);                                      // in each cycle
@@ -56,17 +56,14 @@ public final class Odometry {
     public void update(Robot nao) {
         BodyPoses body = kinematics.poses(posture(nao));
         Pose2d now = torsoOn(body, support);
-        standing = begun && !nao.isFallen();
+        standing = begun && !nao.isFallen() && nao.getFootPressure(support).isPresent();
         step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
         Vector3 place = pose.toFrame(step);
         pose = new Pose2d(
                 place.x(), place.y(), Angles.wrap(pose.degrees() + nao.getGyro().z() * Cycle.SECONDS));
         history[index(nao.getTime())] = pose;
-        support = nao.getLeftFootPressure().force().z()
-                        >= nao.getRightFootPressure().force().z()
-                ? Leg.LEFT
-                : Leg.RIGHT;
+        support = load(nao, Leg.LEFT) >= load(nao, Leg.RIGHT) ? Leg.LEFT : Leg.RIGHT;
         torsoOnSupport = torsoOn(body, support);
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
     }
@@ -111,6 +108,10 @@ public final class Odometry {
 
     private static Posture posture(Robot nao) {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
+    }
+
+    private static double load(Robot nao, Leg leg) {
+        return nao.getFootPressure(leg).map(pressure -> pressure.force().z()).orElse(0.0);
     }
 
     /** Returns the pose of the torso in the frame of a foot that is flat on the ground. */

@@ -2,6 +2,7 @@ package org.robonewbie.agent.localisation;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -10,7 +11,7 @@ import org.robonewbie.agent.perception.CameraPicture;
 import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
@@ -18,18 +19,17 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.nao.model.RobotType;
 
 /**
  * Estimates the robot's pose on the field with a Kalman filter: the gyroscope, the accelerometer and {@link Odometry}
  * predict it, and each visible landmark corrects it, along with the estimated height and tilt of the torso. The first
  * pose requires two landmarks in one picture; it is the best rigid fit of the sightings to the map.
  *
- * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
+ * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags. On the field of
+ * today's league it uses the {@linkplain FieldMarking points of the field lines} as well.
  *
  * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin at the centre
  * of the field.
@@ -53,13 +53,15 @@ public final class SelfLocalisation {
 
     private static final Set<String> LANDMARKS =
             Arrays.stream(Landmark.values()).map(Landmark::name).collect(Collectors.toSet());
-    private static final List<SoccerField> PITCHES = List.of(SoccerField.BEGINNER, SoccerField.LEAGUE);
+    private static final Map<String, Vector3> MARKINGS =
+            Arrays.stream(FieldMarking.values()).collect(Collectors.toMap(FieldMarking::name, FieldMarking::position));
+    private static final List<SoccerField> PITCHES =
+            List.of(SoccerField.BEGINNER, SoccerField.LEAGUE, SoccerField.SEVEN);
     private static final double CERTAIN_METRES = 0.3;
 
     private SoccerField field;
     private boolean fieldKnown;
     private final Odometry odometry = new Odometry();
-    private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
     private final ErrorStateKalmanFilter filter = new ErrorStateKalmanFilter();
     private int contradictions;
     private boolean known;
@@ -102,7 +104,7 @@ public final class SelfLocalisation {
         move(nao, elapsed);
         Optional<CameraPicture> picture = nao.getVision();
         if (picture.isPresent()) {
-            Pose camera = kinematics.camera(nao.getJointAngle(Joint.NECK_YAW), nao.getJointAngle(Joint.NECK_PITCH));
+            Pose camera = nao.getCameraPose();
             recognisePitch(picture.get(), camera, nao.getTeamSide());
             if (fieldKnown) {
                 correct(sightings(field, picture.get(), camera, nao.getTeamSide()), camera, nao.isFallen());
@@ -242,9 +244,17 @@ public final class SelfLocalisation {
 
     private static List<Sighting> sightings(SoccerField field, CameraPicture picture, Pose camera, TeamSide side) {
         return picture.sightings().stream()
-                .filter(seen -> LANDMARKS.contains(seen.name()))
-                .map(seen -> sighting(field.position(Landmark.valueOf(seen.name())), seen.direction(), camera, side))
+                .flatMap(seen -> position(field, seen.name()).stream()
+                        .map(place -> sighting(place, seen.direction(), camera, side)))
                 .toList();
+    }
+
+    /** Returns the position of a landmark or marking; empty if the name is neither, or if the field has no such marking. */
+    private static Optional<Vector3> position(SoccerField field, String name) {
+        if (LANDMARKS.contains(name)) {
+            return Optional.of(field.position(Landmark.valueOf(name)));
+        }
+        return field.equals(SoccerField.SEVEN) ? Optional.ofNullable(MARKINGS.get(name)) : Optional.empty();
     }
 
     private static Sighting sighting(Vector3 place, Direction seen, Pose camera, TeamSide side) {

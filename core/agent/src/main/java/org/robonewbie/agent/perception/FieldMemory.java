@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import org.robonewbie.agent.log.Diagnostics;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.perceptor.PolarPosition;
@@ -13,6 +14,7 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
 import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenMarking;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
 /** Implementation of {@link LocalFieldView}, updated by the framework with each camera picture. */
@@ -24,6 +26,7 @@ public final class FieldMemory implements LocalFieldView {
     private final FieldItem.Vision vision = new FieldItem.Vision();
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
+    private final Map<FieldMarking, FieldItem> markings = new EnumMap<>(FieldMarking.class);
     /**
      * All robots that were seen since the last beam. They are kept even if their last sighting is too old for them to
      * be listed.
@@ -46,6 +49,9 @@ public final class FieldMemory implements LocalFieldView {
         ball = new FieldItem("ball", vision, diagnostics);
         for (Landmark landmark : Landmark.values()) {
             landmarks.put(landmark, new FieldItem(landmark.toString(), vision, diagnostics));
+        }
+        for (FieldMarking marking : FieldMarking.values()) {
+            markings.put(marking, new FieldItem(marking.toString(), vision, diagnostics));
         }
     }
 
@@ -96,6 +102,9 @@ public final class FieldMemory implements LocalFieldView {
         for (SeenLandmark seen : picture.landmarks()) {
             see(landmark(seen.landmark()), seen.position());
         }
+        for (SeenMarking seen : picture.markings()) {
+            see(marking(seen.marking()), seen.position());
+        }
         picture.players().stream().filter(seen -> !isMyself(seen)).forEach(this::see);
         forgetLines();
         seenLines = picture.lines();
@@ -105,6 +114,7 @@ public final class FieldMemory implements LocalFieldView {
     public void forget() {
         ball.forget();
         landmarks.values().forEach(FieldItem::forget);
+        markings.values().forEach(FieldItem::forget);
         met.clear();
         forgetLines();
     }
@@ -118,6 +128,12 @@ public final class FieldMemory implements LocalFieldView {
     @SuppressWarnings("NullAway") // the map contains every landmark
     public FieldItem landmark(Landmark landmark) {
         return landmarks.get(landmark);
+    }
+
+    @Override
+    @SuppressWarnings("NullAway") // the map contains every marking
+    public FieldItem marking(FieldMarking marking) {
+        return markings.get(marking);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.robonewbie.agent.perception;
 
 import java.util.List;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 
 /**
@@ -29,6 +30,17 @@ public interface LocalFieldView {
      * @return the landmark, whether or not it has been seen
      */
     FieldItem landmark(Landmark landmark);
+
+    /**
+     * Returns a point of the field lines. Only the cameras of today's league recognise them, such as that of a T1.
+     *
+     * @param marking the point
+     * @return the point, whether or not it has been seen
+     * @throws UnsupportedOperationException if this field view has no markings
+     */
+    default FieldItem marking(FieldMarking marking) {
+        throw new UnsupportedOperationException("This field view has no markings.");
+    }
 
     /** {@return the top of the left post of the opponents' goal, whether or not it has been seen} */
     FieldItem opponentGoalLeftPost();

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 public final class JoinTurn {
 
     private static final Duration SILENCE = Duration.ofSeconds(1);
+    private static final Duration LEAGUE_SILENCE = Duration.ofSeconds(60);
 
     private final Duration silence;
     private final CountDownLatch answered = new CountDownLatch(1);
@@ -24,6 +25,15 @@ public final class JoinTurn {
 
     JoinTurn(Duration silence) {
         this.silence = silence;
+    }
+
+    /**
+     * Starts a turn on RCSSServerMJ, which needs up to several seconds for each robot that joins.
+     *
+     * @return the turn
+     */
+    public static JoinTurn ofLeague() {
+        return new JoinTurn(LEAGUE_SILENCE);
     }
 
     /** Records that the server has responded to the robot. */

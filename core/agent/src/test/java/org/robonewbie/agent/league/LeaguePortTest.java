@@ -7,10 +7,13 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
@@ -20,6 +23,7 @@ import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotJoint;
 
@@ -29,7 +33,12 @@ class LeaguePortTest {
 
     private final Server server = new Server();
     private final RobotRuntime robot = new RobotRuntime("test");
-    private final LeaguePort port = new LeaguePort(server, robot, BoosterT1.MODEL, "Blue", 2);
+    private final LeaguePort port = new LeaguePort(
+            server,
+            robot,
+            new LeaguePlayer(BoosterT1.MODEL, "Blue", 2),
+            LearnedWalk.of(BoosterT1.MODEL, Optional.empty()),
+            true);
 
     @Test
     void joinsWithItsFirstMessage() throws IOException {
@@ -112,6 +121,103 @@ class LeaguePortTest {
     }
 
     @Test
+    void aBeamStartsFromStretchedJointsAndEndsInTheStance() throws IOException {
+        receive(GAME);
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+        double stance = target("lle4");
+
+        send(new Beam(Pose2d.ORIGIN));
+        double first = target("lle4");
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        assertThat(first).isBetween(0.0, 2.0);
+        assertThat(target("lle4")).isEqualTo(stance).isEqualTo(40);
+    }
+
+    @Test
+    void aBeamInPlayIsNotSent() throws IOException {
+        receive("(GS (t 0.0)(pm PlayOn)(tl Blue)(sl 0)(sr 0))");
+
+        send(new Beam(Pose2d.ORIGIN));
+
+        assertThat(server.sent.get(0)).doesNotContain("beam");
+    }
+
+    @Test
+    void theRightTeamBeamsInItsOwnFrame() throws IOException {
+        receive("(GS (t 0.0)(pm BeforeKickOff)(tl Red)(tr Blue)(sl 0)(sr 0))");
+
+        send(new Beam(new Pose2d(-2, 1, 90)));
+
+        assertThat(server.sent.get(0)).startsWith("(beam -2 -1 90)");
+    }
+
+    @Test
+    void theCameraTurnsWithTheNeck() throws IOException {
+        Pose ahead = robot.sensors().cameraPose();
+        receive(GAME + joint("q_hj2", 90));
+        Pose down = robot.sensors().cameraPose();
+
+        assertThat(ahead.position().distanceTo(new Vector3(0.1125, 0, 0.42485))).isLessThan(1e-9);
+        assertThat(down.position().distanceTo(new Vector3(0.1825, 0, 0.25485))).isLessThan(1e-9);
+        assertThat(down.rotation().apply(new Vector3(1, 0, 0)).z()).isCloseTo(-1, within(1e-9));
+    }
+
+    @Test
+    void picturesContainTheTruth() throws IOException {
+        receive("(GS (t 0.0)(pm PlayOn)(tl Red)(tr Blue)(sl 0)(sr 0))(quat (n torso_quat) (q 1 0 0 0))"
+                + "(pos (n torso_pos) (p 3 2 0.6))(See (B (pol 2 0 0)))" + joint("q_hj2", 0));
+
+        Vision seen = port.message().vision().orElseThrow();
+        assertThat(seen.ownPosition().orElseThrow().distanceTo(new Vector3(-3.1125, -2, 1.02485)))
+                .isLessThan(1e-9);
+        assertThat(Math.abs(seen.ownOrientationDegrees().orElseThrow())).isCloseTo(180, within(1e-9));
+        assertThat(seen.ballPosition().orElseThrow().distanceTo(new Vector3(-5.1125, -2, 1.02485)))
+                .isLessThan(1e-9);
+    }
+
+    @Test
+    void aFallenRobotLiesStretchedUntilItIsPlaced() throws IOException {
+        for (int i = 0; i < 80; i++) {
+            receive(GAME + "(ACC (n torso_acc) (a 9.81 0 0))");
+            send(speed(Joint.LEFT_SHOULDER_PITCH, 100), speed(Joint.LEFT_KNEE_PITCH, 50));
+        }
+
+        assertThat(target("lae1")).isZero();
+        assertThat(target("lle4")).isZero();
+        assertThat(robot.diagnostics().reported())
+                .filteredOn(report -> report.contains("has fallen and cannot get up"))
+                .hasSize(1);
+        for (int i = 0; i < 80; i++) {
+            receive(GAME + "(ACC (n torso_acc) (a 0 0 9.81))");
+            send();
+        }
+        assertThat(target("lle4")).isEqualTo(40);
+    }
+
+    @Test
+    void aRobotThatTheRefereePlacesStartsFromStretchedJoints() throws IOException {
+        receive(GAME + joint("q_laj1", -90));
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        receive(GAME + joint("q_laj1", 0));
+        send();
+
+        assertThat(target("lle4")).isBetween(0.0, 2.0);
+    }
+
+    @Test
+    void hasNoForceSensorsInItsFeet() {
+        assertThat(robot.sensors().hasFootSensors()).isFalse();
+    }
+
+    @Test
     void saysWhatTheServerPassesOn() throws IOException {
         send(new Say("hallo"), new Say("aVeryLongText"));
 
@@ -143,6 +249,7 @@ class LeaguePortTest {
     private void receive(String message) throws IOException {
         server.next.add(message + joint("q_hj1", 0));
         port.receive();
+        robot.sense(port.message());
     }
 
     private void send(EffectorCommand... commands) throws IOException {

@@ -7,9 +7,11 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -18,6 +20,7 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
 import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenMarking;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
 class LocalFieldViewTest {
@@ -60,6 +63,26 @@ class LocalFieldViewTest {
         assertThat(view.ball().distance()).isCloseTo(2 * Math.cos(Math.toRadians(25)), within(1e-9));
         assertThat(view.ball().bearing()).isEqualTo(40);
         assertThat(view.ball().elevation()).isEqualTo(-25);
+    }
+
+    @Test
+    void remembersMarkingsOfTheLeaguesPitch() {
+        view.setTime(1);
+        view.see(
+                new Vision(
+                        List.of(),
+                        Optional.empty(),
+                        List.of(),
+                        List.of(),
+                        Optional.empty(),
+                        OptionalDouble.empty(),
+                        Optional.empty(),
+                        List.of(new SeenMarking(FieldMarking.PENALTY_SPOT_RIGHT, new PolarPosition(5, 10, 0)))),
+                0,
+                0);
+
+        assertThat(view.marking(FieldMarking.PENALTY_SPOT_RIGHT).bearing()).isEqualTo(10);
+        assertThat(view.marking(FieldMarking.PENALTY_SPOT_LEFT).isKnown()).isFalse();
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -38,7 +39,8 @@ public final class LeagueMessageReader {
     private final int number;
     private final SexpReader reader = new SexpReader();
     private final KnownWords words = new KnownWords();
-    private final VisionReader visionReader = new VisionReader(reader, words, LeagueMessageReader::nameOf);
+    private final VisionReader visionReader =
+            new VisionReader(reader, words, LeagueMessageReader::nameOf, List.of(FieldMarking.values()));
     private final List<Heard> heard = new ArrayList<>();
     private double[] degrees = {};
     private double[] degreesPerSecond = {};

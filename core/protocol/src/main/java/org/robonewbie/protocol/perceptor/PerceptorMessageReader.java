@@ -33,7 +33,7 @@ public final class PerceptorMessageReader {
     private final SexpReader reader = new SexpReader();
     private final KnownWords words = new KnownWords();
     private final OrderedNames joints = new OrderedNames(JOINT_NAMES);
-    private final VisionReader visionReader = new VisionReader(reader, words, Landmark::simSparkName);
+    private final VisionReader visionReader = new VisionReader(reader, words, Landmark::simSparkName, List.of());
     private final List<Heard> heard = new ArrayList<>();
     private final List<ExtraHinge> extraHinges = new ArrayList<>();
     private double[] jointAngles = new double[Joint.COUNT];

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
@@ -21,6 +22,7 @@ import org.robonewbie.nao.Vector3;
  *     opponents' goal, positive to the left; empty unless the server is configured to send it
  * @param ballPosition true position of the ball's centre in the team's frame in metres; empty unless the server is
  *     configured to send it
+ * @param markings points of the field lines, which only the cameras of today's league recognise
  */
 public record Vision(
         List<SeenLandmark> landmarks,
@@ -29,7 +31,8 @@ public record Vision(
         List<SeenLine> lines,
         Optional<Vector3> ownPosition,
         OptionalDouble ownOrientationDegrees,
-        Optional<Vector3> ballPosition) {
+        Optional<Vector3> ballPosition,
+        List<SeenMarking> markings) {
 
     /** A vision percept without any objects. */
     public static final Vision NOTHING = of(List.of(), Optional.empty(), List.of(), List.of());
@@ -39,6 +42,29 @@ public record Vision(
         landmarks = List.copyOf(landmarks);
         players = List.copyOf(players);
         lines = List.copyOf(lines);
+        markings = List.copyOf(markings);
+    }
+
+    /**
+     * Creates a vision percept without markings, as of a NAO.
+     *
+     * @param landmarks goal posts and flags
+     * @param ball the ball's centre
+     * @param players robots
+     * @param lines segments of the field lines
+     * @param ownPosition true position of the robot's head
+     * @param ownOrientationDegrees true direction of the robot's head
+     * @param ballPosition true position of the ball's centre
+     */
+    public Vision(
+            List<SeenLandmark> landmarks,
+            Optional<PolarPosition> ball,
+            List<SeenPlayer> players,
+            List<SeenLine> lines,
+            Optional<Vector3> ownPosition,
+            OptionalDouble ownOrientationDegrees,
+            Optional<Vector3> ballPosition) {
+        this(landmarks, ball, players, lines, ownPosition, ownOrientationDegrees, ballPosition, List.of());
     }
 
     /**
@@ -48,6 +74,14 @@ public record Vision(
      * @param position its position relative to the camera
      */
     public record SeenLandmark(Landmark landmark, PolarPosition position) {}
+
+    /**
+     * A point of the field lines in the image.
+     *
+     * @param marking the point
+     * @param position its position relative to the camera
+     */
+    public record SeenMarking(FieldMarking marking, PolarPosition position) {}
 
     /**
      * A segment of a field line. The order of its ends is arbitrary.

@@ -7,11 +7,13 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.robonewbie.nao.BodyPart;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
 import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
+import org.robonewbie.protocol.perceptor.Vision.SeenMarking;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
@@ -25,7 +27,9 @@ final class VisionReader {
     private final SexpReader reader;
     private final KnownWords words;
     private final String[] landmarkNames;
+    private final List<FieldMarking> knownMarkings;
     private final List<SeenLandmark> landmarks = new ArrayList<>();
+    private final List<SeenMarking> markings = new ArrayList<>();
     private final List<SeenPlayer> players = new ArrayList<>();
     private final List<SeenLine> lines = new ArrayList<>();
     private final List<SeenBodyPart> parts = new ArrayList<>();
@@ -35,9 +39,14 @@ final class VisionReader {
     private OptionalDouble ownOrientation = OptionalDouble.empty();
     private Optional<Vector3> ballPosition = Optional.empty();
 
-    VisionReader(SexpReader reader, KnownWords words, Function<Landmark, String> landmarkName) {
+    VisionReader(
+            SexpReader reader,
+            KnownWords words,
+            Function<Landmark, String> landmarkName,
+            List<FieldMarking> knownMarkings) {
         this.reader = reader;
         this.words = words;
+        this.knownMarkings = knownMarkings;
         this.landmarkNames = Stream.of(LANDMARKS).map(landmarkName).toArray(String[]::new);
     }
 
@@ -51,11 +60,13 @@ final class VisionReader {
         if (reader.token() == Token.END) {
             return Optional.empty();
         }
-        return Optional.of(new Vision(landmarks, ball, players, lines, ownPosition, ownOrientation, ballPosition));
+        return Optional.of(
+                new Vision(landmarks, ball, players, lines, ownPosition, ownOrientation, ballPosition, markings));
     }
 
     private void clear() {
         landmarks.clear();
+        markings.clear();
         players.clear();
         lines.clear();
         ball = Optional.empty();
@@ -87,6 +98,14 @@ final class VisionReader {
             if (reader.atomIs(landmarkNames[i])) {
                 if (readPosition(reader.depth())) {
                     landmarks.add(new SeenLandmark(LANDMARKS[i], position));
+                }
+                return;
+            }
+        }
+        for (FieldMarking marking : knownMarkings) {
+            if (reader.atomIs(marking.leagueName())) {
+                if (readPosition(reader.depth())) {
+                    markings.add(new SeenMarking(marking, position));
                 }
                 return;
             }

@@ -4,26 +4,34 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Random;
+import java.util.Set;
 import java.util.stream.IntStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.FieldMarking;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.protocol.RecordedMessages;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
+import org.robonewbie.protocol.perceptor.Vision.SeenMarking;
 import org.robonewbie.robot.BoosterK1;
 import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotModel;
 
 class LeagueMessageReaderTest {
 
+    private static final Vector3 Y = new Vector3(0, 1, 0);
+    private static final Vector3 Z = new Vector3(0, 0, 1);
     private static final List<String> T1 = RecordedMessages.load(RecordedMessages.LEAGUE_T1);
 
     private final LeagueMessageReader reader = new LeagueMessageReader(BoosterT1.MODEL, "RoboNewbie", 2);
@@ -48,6 +56,40 @@ class LeagueMessageReaderTest {
                 .contains(new SeenLandmark(Landmark.FLAG_2_LEFT, new PolarPosition(44.94, -30.05, -1.4)))
                 .contains(new SeenLandmark(Landmark.GOAL_POST_1_LEFT, new PolarPosition(29.49, -49.73, 1.42)))
                 .hasSize(6);
+    }
+
+    @Test
+    void placesEachMarkingWhereTheServerHasIt() {
+        Set<FieldMarking> seen = EnumSet.noneOf(FieldMarking.class);
+        for (String message : T1) {
+            LeaguePerception read = read(message);
+            Pose camera = camera(read);
+            List<SeenMarking> markings =
+                    read.message().vision().map(Vision::markings).orElse(List.of());
+            for (SeenMarking marking : markings) {
+                PolarPosition polar = marking.position();
+                Rotation direction =
+                        Rotation.about(Z, polar.horizontalDegrees()).times(Rotation.about(Y, -polar.verticalDegrees()));
+                Vector3 place = camera.transform(direction.apply(new Vector3(polar.distanceMetres(), 0, 0)));
+                assertThat(place.distanceTo(marking.marking().position()))
+                        .as(marking.marking().name())
+                        .isLessThan(0.1);
+                seen.add(marking.marking());
+            }
+        }
+
+        assertThat(seen).hasSizeGreaterThan(15);
+    }
+
+    /** Returns the pose of the camera in the world frame. */
+    private static Pose camera(LeaguePerception read) {
+        double[] degrees = IntStream.range(0, BoosterT1.MODEL.joints().size())
+                .mapToDouble(read.joints()::degrees)
+                .toArray();
+        Pose head = BoosterT1.MODEL.bodyPoses(degrees).get(BoosterT1.MODEL.bodyIndex("H2"));
+        return new Pose(read.position().orElseThrow(), read.orientation().orElseThrow())
+                .times(head)
+                .times(new Pose(new Vector3(0.05, 0, 0.12), Rotation.NONE));
     }
 
     @Test

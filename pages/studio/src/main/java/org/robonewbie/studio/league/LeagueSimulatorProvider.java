@@ -8,6 +8,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.embedded.OpenedView;
+import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
@@ -34,21 +35,27 @@ public final class LeagueSimulatorProvider implements SimulatorProvider {
         try {
             return request.headless()
                     ? new LeagueSimulator(agentPort, started, Optional.empty(), Optional.empty())
-                    : watched(request, started, monitorPort);
+                    : watched(new StudioViewer(), request, started, monitorPort);
         } catch (IOException | RuntimeException failed) {
             started.ifPresent(LeagueServer::close);
             throw failed;
         }
     }
 
-    private static LeagueSimulator watched(SimulatorRequest request, Optional<LeagueServer> started, int monitorPort)
+    static LeagueSimulator watched(
+            Viewer viewer, SimulatorRequest request, Optional<LeagueServer> started, int monitorPort)
             throws IOException {
         MonitoredSimulation match = MonitoredSimulation.connect(
                 LeagueSimulator.HOST,
                 monitorPort,
                 () -> RecordingRepository.ofUser().flatMap(recordings -> recordings.next(request.agent())));
-        OpenedView view = OpenedView.of(new StudioViewer().open(match, 0), request.openBrowser());
-        return new LeagueSimulator(request.agentPort(), started, Optional.of(match), Optional.of(view));
+        try {
+            OpenedView view = OpenedView.of(viewer.open(match, 0), request.openBrowser());
+            return new LeagueSimulator(request.agentPort(), started, Optional.of(match), Optional.of(view));
+        } catch (IOException | RuntimeException failed) {
+            match.close();
+            throw failed;
+        }
     }
 
     private static boolean isRunning(int agentPort) {
