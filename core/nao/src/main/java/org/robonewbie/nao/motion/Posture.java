@@ -102,7 +102,7 @@ public final class Posture {
      * @throws IllegalStateException if this is the posture of another robot
      */
     public Posture mirrored() {
-        if (space != JointSpace.NAO) {
+        if (!space.equals(JointSpace.NAO)) {
             throw new IllegalStateException("A posture of the robot " + space.robot()
                     + " cannot be mirrored: which joints belong together is known for the NAO only.");
         }
