@@ -23,6 +23,7 @@ import {
   numberText,
   parse,
   problemOf,
+  robotOf,
   textOf,
 } from '../../main/resources/org/robonewbie/studio/web/state/motion/motion-text.js';
 import { postureAt, timesOf } from '../../main/resources/org/robonewbie/studio/web/state/motion/timing.js';
@@ -126,7 +127,8 @@ test('the page parses and edits files exactly like the robot', (context) => {
   for (const name of cases) {
     const bytes = new Uint8Array(readFileSync(join(folder, 'motions', name)));
     const truth = JSON.parse(readFileSync(join(folder, 'motions', name.replace('.txt', '.json')), 'utf8'));
-    const document = decode(bytes);
+    const document = decode(bytes, truth.joints);
+    assert.equal(robotOf(document), truth.robot, name);
     assert.deepEqual(encode(document), bytes, name);
     assert.deepEqual(
       keyframesOf(document).map(({ millis, degrees }) => [millis, ...degrees]),
@@ -135,7 +137,7 @@ test('the page parses and edits files exactly like the robot', (context) => {
     );
     assert.equal(document.lines.filter(({ problem }) => problem).length, truth.errors, name);
     truth.keyframes.forEach((/** @type {number[]} */ _, /** @type {number} */ i) => {
-      const degrees = keyframesOf(document)[i].degrees.with(i % 22, truth.angle);
+      const degrees = keyframesOf(document)[i].degrees.with(i % truth.joints, truth.angle);
       assert.equal(textOf(withKeyframe(document, i, { millis: 1234, degrees })), truth.changed[i], name);
     });
   }

@@ -15,8 +15,6 @@ export class MotionServer {
   #own = new BrowserRepository('robonewbie-page-motion:');
   #drafts = new BrowserRepository('robonewbie-page-motion-draft:');
   #poses = new BrowserRepository('robonewbie-page-postures:');
-  /** @type {Promise<string> | undefined} */
-  #robot;
   /** Called after one of the user's motions has been saved or removed. */
   changed = () => {};
 
@@ -33,7 +31,7 @@ export class MotionServer {
   /** Request handlers by the first segment of their path. */
   get parts() {
     return {
-      robot: { answer: () => this.#describe() },
+      robot: { answer: (/** @type {string} */ place) => this.#describe(decodeURIComponent(place.slice(1))) },
       motions: this.#serve(this.#own),
       drafts: this.#serve(this.#drafts),
       library: { answer: (/** @type {string} */ place) => fetch(`library${place}.txt`) },
@@ -42,9 +40,9 @@ export class MotionServer {
     };
   }
 
-  async #describe() {
-    this.#robot ??= this.questions.ask('robot');
-    return new Response(await this.#robot);
+  /** @param {string} name name of a robot, empty for the NAO */
+  async #describe(name) {
+    return jsonOrRefusal(await this.questions.ask('robot', name), 404);
   }
 
   async #list() {
@@ -110,9 +108,13 @@ export class MotionServer {
   async #try(options) {
     const text = decodeText(await bodyOf(options)).content;
     const start = new Headers(options.headers).get('Start') ?? 'standing';
-    const result = await this.questions.ask('motionTrial', text, start);
-    return new Response(result, { status: result.startsWith('{') ? 200 : 400 });
+    return jsonOrRefusal(await this.questions.ask('motionTrial', text, start), 400);
   }
+}
+
+/** @param {string} answer JSON, or a sentence that says why the request is refused @param {number} status status of a refusal */
+function jsonOrRefusal(answer, status) {
+  return new Response(answer, { status: answer.startsWith('{') ? 200 : status });
 }
 
 /** @param {string | null} text @param {string} name */

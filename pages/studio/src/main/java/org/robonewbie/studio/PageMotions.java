@@ -11,9 +11,17 @@ public final class PageMotions {
 
     private PageMotions() {}
 
-    /** {@return a description of the motion editor's robot, as JSON} */
-    public static String robot() {
-        return RobotDescription.write(SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)));
+    /**
+     * Describes a robot for the motion editor.
+     *
+     * @param name name of a model other than the NAO's; empty for the NAO
+     * @return the description as JSON
+     * @throws RefusedException if there is no such model
+     */
+    public static String robot(String name) {
+        return name.isEmpty()
+                ? RobotDescription.write(SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)))
+                : RobotDescription.write(name);
     }
 
     /** {@return the bodies of all robot types by name, as JSON} */

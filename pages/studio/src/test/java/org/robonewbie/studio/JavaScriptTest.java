@@ -28,11 +28,13 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.JointSpace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
+import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
@@ -215,26 +217,39 @@ class JavaScriptTest {
     /** Writes various motion files, and how the agent's parser reads them. */
     private static void writeMotions(Path folder) throws IOException {
         Random random = new Random(5);
-        for (int i = 0; i < 60; i++) {
-            byte[] content = randomMotion(random);
+        for (int i = 0; i < 80; i++) {
+            JointSpace space = i < 60 ? JointSpace.NAO : BoosterT1.MODEL.jointSpace();
+            byte[] content = randomMotion(random, space);
             Path path = folder.resolve(i + ".txt");
             Files.write(path, content);
-            MotionFile file = MotionFiles.load(path);
+            MotionFile file = MotionFiles.load(path, space);
             double angle = Math.round(random.nextDouble() * 1000) / 100.0;
             List<String> changed = new ArrayList<>();
             List<double[]> keyframes = new ArrayList<>();
             for (Keyframe keyframe : file.keyframes()) {
                 int index = keyframes.size();
-                Joint joint = Joint.values()[index % Joint.COUNT];
-                Keyframe next = new Keyframe(1234, keyframe.posture().with(joint, angle));
+                double[] degrees = keyframe.posture().toArray();
+                degrees[index % space.size()] = angle;
+                Keyframe next = new Keyframe(1234, org.robonewbie.nao.motion.Posture.of(space, degrees));
                 changed.add(file.withKeyframe(index, next).text());
-                double[] numbers = new double[1 + Joint.COUNT];
+                double[] numbers = new double[1 + space.size()];
                 numbers[0] = keyframe.durationMillis();
-                System.arraycopy(keyframe.posture().toArray(), 0, numbers, 1, Joint.COUNT);
+                System.arraycopy(keyframe.posture().toArray(), 0, numbers, 1, space.size());
                 keyframes.add(numbers);
             }
-            Map<String, Object> truth =
-                    Map.of("keyframes", keyframes, "errors", file.errors().size(), "angle", angle, "changed", changed);
+            Map<String, Object> truth = Map.of(
+                    "keyframes",
+                    keyframes,
+                    "errors",
+                    file.errors().size(),
+                    "angle",
+                    angle,
+                    "changed",
+                    changed,
+                    "robot",
+                    space.robot(),
+                    "joints",
+                    space.size());
             Files.writeString(folder.resolve(i + ".json"), new Gson().toJson(truth));
         }
     }
@@ -299,14 +314,19 @@ class JavaScriptTest {
         return HexFormat.of().parseHex(hex);
     }
 
-    private static byte[] randomMotion(Random random) {
+    private static byte[] randomMotion(Random random, JointSpace space) {
         List<String> ends = List.of("\n", "\r\n", "\r");
         List<String> others = List.of("", "  ", "// Zoë: 1", "\t// x", "abc", "500 1 2", "5.5 1", "1e3", "500 1,5");
         StringBuilder text = new StringBuilder(random.nextInt(6) == 0 ? "\uFEFF" : "");
+        if (!space.equals(JointSpace.NAO)) {
+            text.append(List.of("// robot: ", "\t//robot:", " //  robot:  ").get(random.nextInt(3)))
+                    .append(space.robot())
+                    .append(ends.get(random.nextInt(ends.size())));
+        }
         int lines = random.nextInt(9);
         for (int line = 0; line < lines; line++) {
             boolean isFrame = random.nextBoolean();
-            text.append(isFrame ? randomFrame(random) : others.get(random.nextInt(others.size())));
+            text.append(isFrame ? randomFrame(random, space.size()) : others.get(random.nextInt(others.size())));
             boolean isLast = line == lines - 1 && random.nextBoolean();
             text.append(isLast ? "" : ends.get(random.nextInt(ends.size())));
         }
@@ -316,11 +336,11 @@ class JavaScriptTest {
                 .getBytes(charset);
     }
 
-    private static String randomFrame(Random random) {
+    private static String randomFrame(Random random, int joints) {
         List<String> forms = List.of("%.0f", "%.1f", "%.4f", "%+.2f", "%e", "%.3f0");
         StringBuilder text = new StringBuilder(random.nextInt(4) == 0 ? " \t" : "");
         text.append(random.nextInt(3000));
-        for (int i = 0; i < Joint.COUNT; i++) {
+        for (int i = 0; i < joints; i++) {
             text.append(random.nextInt(5) == 0 ? "\t " : " ");
             text.append(String.format(
                     Locale.ROOT, forms.get(random.nextInt(forms.size())), random.nextDouble() * 200 - 100));

@@ -52,10 +52,15 @@ public final class FieldEdition {
         return String.join(" ", ShippedAgents.names());
     }
 
-    /** {@return a description of the motion editor's robot, as a JSON object} */
+    /**
+     * Describes a robot for the motion editor.
+     *
+     * @param name name of a model other than the NAO's; empty for the NAO
+     * @return the description as a JSON object, or a sentence if there is no such model
+     */
     @JSExport
-    public static String robot() {
-        return PageMotions.robot();
+    public static String robot(String name) {
+        return PageContext.robot(name);
     }
 
     /**

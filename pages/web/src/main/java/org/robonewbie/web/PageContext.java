@@ -120,6 +120,15 @@ final class PageContext {
         sendRecordings();
     }
 
+    /** Describes a robot for the motion editor; returns JSON, or a sentence if there is no such robot. */
+    static String robot(String name) {
+        try {
+            return PageMotions.robot(name);
+        } catch (RefusedException refused) {
+            return String.valueOf(refused.getMessage());
+        }
+    }
+
     /** Plays a motion on a robot with full physics; returns the result as JSON, or a sentence if the motion is rejected. */
     static String motionTrial(String text, String start) {
         try {

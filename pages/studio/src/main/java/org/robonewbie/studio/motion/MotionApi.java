@@ -23,7 +23,7 @@ import org.robonewbie.studio.file.RefusedException;
  * trials with physics.
  *
  * <pre>
- * GET              /api/robot
+ * GET              /api/robot, /api/robot/NAME
  * GET              /api/motions, /api/library/NAME
  * GET PUT          /api/motions/NAME      header Known-Version on PUT: the version that the page has read, empty for a new file
  * GET PUT DELETE   /api/drafts/NAME
@@ -36,7 +36,7 @@ public final class MotionApi extends ApiHandler {
     /** Prefix of all paths of this endpoint. */
     public static final String PATH = "/api/";
 
-    private static final Pattern FILE = Pattern.compile("/api/(motions|library|drafts)/([^/]+)");
+    private static final Pattern FILE = Pattern.compile("/api/(robot|motions|library|drafts)/([^/]+)");
     private static final String POSES = "poses";
 
     private final MotionFolder motions;
@@ -48,7 +48,7 @@ public final class MotionApi extends ApiHandler {
      * Creates the endpoint.
      *
      * @param folder folder of the motion files; it need not exist
-     * @param model the robot's limbs and hinges as JSON
+     * @param model the NAO's limbs and hinges as JSON
      */
     public MotionApi(Path folder, JsonObject model) {
         this.motions = new MotionFolder(folder);
@@ -89,6 +89,7 @@ public final class MotionApi extends ApiHandler {
 
     private Answer fileAnswer(Request request, String order, String name) throws IOException {
         return switch (order) {
+            case "GET robot" -> Answer.json(RobotDescription.write(name));
             case "GET motions" -> Answer.file(found(motions.read(name), name));
             case "GET library" -> Answer.file(found(shipped(name), name));
             case "GET drafts" -> Answer.file(found(drafts.read(name), name));

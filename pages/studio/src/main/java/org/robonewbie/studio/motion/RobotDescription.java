@@ -2,12 +2,20 @@ package org.robonewbie.studio.motion;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.nao.motion.JointSpace;
 import org.robonewbie.nao.motion.Mirror;
+import org.robonewbie.robot.NaoRobot;
+import org.robonewbie.robot.RobotModel;
+import org.robonewbie.robot.RobotModels;
+import org.robonewbie.simulator.json.RobotModelJson;
+import org.robonewbie.studio.file.RefusedException;
 
 /** Description of the robot for the motion editor: joints in the order of motion files, masses, and collision shapes. */
 public final class RobotDescription {
@@ -15,7 +23,37 @@ public final class RobotDescription {
     private RobotDescription() {}
 
     /**
-     * Writes the description.
+     * Writes the description of a robot other than the NAO: its joints and shapes. What is mirrored and what weighs how much is left out.
+     *
+     * @param name name of a model
+     * @return one JSON object
+     * @throws RefusedException if there is no such model
+     */
+    public static String write(String name) {
+        RobotModel model = RobotModels.all().stream()
+                .filter(each -> each.name().equals(name) && !NaoRobot.isNao(each))
+                .findFirst()
+                .orElseThrow(() -> new RefusedException(
+                        404, "Its robot is \"" + name + "\", but the studio knows " + known() + " only."));
+        JsonArray joints = new JsonArray();
+        for (JointSpace.Limits joint : model.jointSpace().joints()) {
+            joints.add(joint(joint));
+        }
+        JsonObject json = new JsonObject();
+        json.add("joints", joints);
+        json.add("model", RobotModelJson.write(model));
+        return json.toString();
+    }
+
+    private static String known() {
+        Stream<String> others = RobotModels.all().stream()
+                .filter(model -> !NaoRobot.isNao(model))
+                .map(RobotModel::name);
+        return Stream.concat(Stream.of(JointSpace.NAO.robot()), others).collect(Collectors.joining(", "));
+    }
+
+    /**
+     * Writes the description of the NAO.
      *
      * @param model the robot's limbs and hinges as JSON
      * @return one JSON object
@@ -23,7 +61,10 @@ public final class RobotDescription {
     public static String write(JsonObject model) {
         JsonArray joints = new JsonArray();
         for (Joint joint : Joint.values()) {
-            joints.add(joint(joint));
+            JsonObject each = joint(JointSpace.NAO.joints().get(joint.ordinal()));
+            each.addProperty("partner", Mirror.partner(joint).ordinal());
+            each.addProperty("mirrorSign", Mirror.mirroredDegrees(joint, 1));
+            joints.add(each);
         }
         JsonArray links = new JsonArray();
         for (Link link : NaoModel.of(RobotType.TYPE_0).links()) {
@@ -50,14 +91,15 @@ public final class RobotDescription {
         }
     }
 
-    private static JsonObject joint(Joint joint) {
+    /** Describes a joint. Its range is rounded inward to hundredths of a degree, which can be read and typed. */
+    private static JsonObject joint(JointSpace.Limits joint) {
         JsonObject json = new JsonObject();
         json.addProperty("name", joint.name());
-        json.addProperty("minDegrees", joint.minDegrees());
-        json.addProperty("maxDegrees", joint.maxDegrees());
-        json.addProperty("maxDegreesPerSecond", joint.maxDegreesPerSecond());
-        json.addProperty("partner", Mirror.partner(joint).ordinal());
-        json.addProperty("mirrorSign", Mirror.mirroredDegrees(joint, 1));
+        json.addProperty("minDegrees", Math.ceil(joint.minDegrees() * 100) / 100);
+        json.addProperty("maxDegrees", Math.floor(joint.maxDegrees() * 100) / 100);
+        if (Double.isFinite(joint.maxDegreesPerSecond())) {
+            json.addProperty("maxDegreesPerSecond", joint.maxDegreesPerSecond());
+        }
         return json;
     }
 }

@@ -16,7 +16,7 @@ import {
 } from '../state/motion/editor-state.js';
 import { withInserted } from '../state/motion/motion-document.js';
 import { composedName } from '../state/file-name.js';
-import { EMPTY_DOCUMENT, problemOf, textOf } from '../state/motion/motion-text.js';
+import { EMPTY_DOCUMENT, emptyDocument, problemOf, textOf } from '../state/motion/motion-text.js';
 import { asOriginal, hasSkippedKeyframes, isUndescribed } from '../state/motion/original-rule.js';
 import { readPostures, withPosture } from '../state/motion/poses.js';
 import { lagOf } from '../state/motion/lag.js';
@@ -88,6 +88,9 @@ export class Editor {
   set(state) {
     const before = this.state;
     this.state = state;
+    if (state.body !== before.body) {
+      this.clip = { frames: [], rows: [] };
+    }
     if (state.trial !== before.trial) {
       this.lag = state.trial && lagOf(state.body, framesOf(state), state.trial);
     }
@@ -169,11 +172,15 @@ export class Editor {
   /** Reloads the file from the disk; undo restores the previous content. */
   async reload() {
     const request = this.requests;
-    const { document, version } = await this.files.read('motions', this.state.name);
+    const { document, version, body } = await this.files.read('motions', this.state.name);
     if (request !== this.requests) {
       return;
     }
     this.conflict = false;
+    if (body !== this.state.body) {
+      this.set(withFile(this.state, { name: this.state.name, version, body, document }));
+      return;
+    }
     const taken = edited(this.state, document, 'Reload from disk');
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
   }
@@ -194,7 +201,7 @@ export class Editor {
     if (!(await this.drafts.keep())) {
       return;
     }
-    const { document, version } = await this.files.read(collection, name);
+    const { document, version, body } = await this.files.read(collection, name);
     const isOwn = collection === 'motions';
     const draft = this.list.drafts.some((each) => each.name === name)
       ? (await this.files.read('drafts', name)).document
@@ -204,30 +211,31 @@ export class Editor {
       return;
     }
     this.conflict = false;
-    this.isOriginal = isOwn && isUndescribed(document) && hasSkippedKeyframes(document);
+    this.isOriginal = isOwn && body.isNao && isUndescribed(document) && hasSkippedKeyframes(document);
     const recovered = isNew ? draft : undefined;
     this.drafts.kept = recovered;
-    this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
+    this.set(withFile(this.state, { name, version: isOwn ? version : '', body, document, recovered }));
     keepText(LAST_FILE, name);
     if (isNew) {
       this.listener.note(`Unsaved work on “${name}” was recovered. Undo discards it.`);
     }
   }
 
-  /** Creates a motion with a single keyframe: the standing posture. */
+  /** Creates a motion with a single keyframe: the standing posture. It is for the robot of the open motion. */
   async create() {
-    await this.#begin(withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start }));
+    const { body, start } = this.state;
+    await this.#begin(withInserted(emptyDocument(body.robot), 0, { millis: 500, degrees: start }), body);
   }
 
   /**
-   * Opens an imported motion.
+   * Opens an imported motion, which is for the NAO.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
    * @param {string} name name of the file
    * @param {readonly string[]} notes remarks about the import
    */
   async take(document, name, notes) {
-    await this.#begin(document, await this.drafts.newName());
+    await this.#begin(document, await this.files.body(), await this.drafts.newName());
     const taken = `Keyframes imported from ${name}: ${framesOf(this.state).length}.`;
     this.listener.note([taken, ...notes, 'Save the motion under a new name.'].join(' '));
     const request = this.requests;
@@ -294,7 +302,8 @@ export class Editor {
     await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
     const hides = this.list.library.includes(name) ? '; it replaces the library motion with that name' : '';
-    this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
+    const plays = this.state.body.isNao ? ` An agent plays it with motions.start("${name}")${hides}.` : '';
+    this.listener.note(`Saved.${plays}`);
   }
 
   /** @param {string} name @param {readonly number[]} degrees */
@@ -316,13 +325,14 @@ export class Editor {
    * Opens a document that has no name yet.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
+   * @param {import('../state/motion/body.js').Body} body the robot that the motion is for
    * @param {string} [draft] its name among the drafts, if it must be stored immediately
    */
-  async #begin(document, draft = '') {
+  async #begin(document, body, draft = '') {
     const request = ++this.requests;
     if ((await this.drafts.keep()) && request === this.requests) {
       this.isOriginal = false;
-      this.set(withFile(this.state, { name: '', draft, version: '', document }));
+      this.set(withFile(this.state, { name: '', draft, version: '', body, document }));
     }
   }
 
@@ -330,12 +340,12 @@ export class Editor {
   async openDraft(draft) {
     const request = ++this.requests;
     const isKept = await this.drafts.keep();
-    const { document } = await this.files.read('drafts', draft);
+    const { document, body } = await this.files.read('drafts', draft);
     if (isKept && request === this.requests) {
       this.conflict = false;
       this.isOriginal = false;
       this.drafts.kept = document;
-      this.set(withFile(this.state, { name: '', draft, version: '', document }));
+      this.set(withFile(this.state, { name: '', draft, version: '', body, document }));
       keepText(LAST_FILE, draft);
     }
   }

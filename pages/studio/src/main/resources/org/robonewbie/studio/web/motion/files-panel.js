@@ -28,6 +28,14 @@ class FilesPanel {
   #own = element('ul', { class: 'list', id: 'own-motions' });
   #library = element('ul', { class: 'list', id: 'library-motions' });
   #postures = element('div', { class: 'postures' });
+  #keepPosture = button(
+    'Save this posture…',
+    'Save the posture under a name',
+    () => this.run(keepPosture(this.editor)),
+    {
+      id: 'keep-posture',
+    },
+  );
   #folder = element('p', { class: 'faint folder' });
   /** Files in the folder that cannot be played, with the reasons. */
   #leftOut = element('ul', { class: 'faint folder', id: 'left-out-motions' });
@@ -42,8 +50,12 @@ class FilesPanel {
   parts(importing) {
     const { editor, run } = this;
     const begin = () => (takeTyped(), run(editor.create()));
-    const keep = () => run(keepPosture(editor));
-    const create = button('+ New', 'A new motion that starts from standing', begin, { id: 'new-motion' });
+    const create = button(
+      '+ New',
+      'A new motion that starts from standing, for the same robot as the open one',
+      begin,
+      { id: 'new-motion' },
+    );
     return [
       element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
       this.#own,
@@ -54,14 +66,22 @@ class FilesPanel {
       this.#library,
       element('h2', {}, 'Postures'),
       this.#postures,
-      button('Save this posture…', 'Save the posture under a name', keep, { id: 'keep-posture' }),
+      this.#keepPosture,
     ];
   }
 
   draw() {
     const { state, list, postures } = this.editor;
     const names = postures.map(({ name }) => name);
-    const now = JSON.stringify([list, state.name, state.draft, state.version, isUnsaved(state), names]);
+    const now = JSON.stringify([
+      list,
+      state.body.robot,
+      state.name,
+      state.draft,
+      state.version,
+      isUnsaved(state),
+      names,
+    ]);
     if (now !== this.#shown) {
       this.#shown = now;
       this.#drawMotions();
@@ -106,7 +126,9 @@ class FilesPanel {
 
   #drawPostures() {
     const { editor } = this;
-    const all = [...templatePostures(editor.state.body), ...editor.postures];
+    const { body } = editor.state;
+    const all = [...templatePostures(body), ...(body.isNao ? editor.postures : [])];
+    this.#keepPosture.hidden = !body.isNao;
     const give = (/** @type {string} */ name, /** @type {readonly number[]} */ degrees) => () =>
       editor.apply((each) => posed({ ...each, symmetric: false }, degrees, `Posture ${name}`));
     this.#postures.replaceChildren(

@@ -1,7 +1,7 @@
 /** Panel with a slider and a number field for each joint; typed angles keep their decimals. */
 import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
-import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
+import { jointGroups, jointName, shortJointName } from '../state/motion/names.js';
 import { numberText } from '../state/motion/motion-text.js';
 import { fourDecimals, numberOf } from '../state/numbers.js';
 import { numberField, showNumber, takeTyped } from './number-field.js';
@@ -28,31 +28,38 @@ const MAX_DEGREES = 360;
 
 /**
  * @param {HTMLElement} place
- * @param {Body} body
  * @param {JointEditor} editor
  * @returns {(state: EditorState) => void} function that updates the angles
  */
-export function jointPanel(place, body, editor) {
-  const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
+export function jointPanel(place, editor) {
+  /** @type {Body | undefined} */
+  let shown;
+  /** @type {Row[]} */
+  let rows = [];
   const symmetric = check('symmetric', 'Symmetric', 'Mirrors each change to an arm or leg on the other side', (on) =>
     editor.setSymmetric(on),
   );
-  place.append(
-    element(
-      'div',
-      { class: 'both-sides' },
-      symmetric.label,
-      button('L→R', 'Copy the left arm and leg to the right', () => editor.copySide('LEFT')),
-      button('R→L', 'Copy the right arm and leg to the left', () => editor.copySide('RIGHT')),
-    ),
-    ...JOINT_GROUPS.map(({ title, test }) =>
-      jointGroup(
-        title,
-        rows.filter((_, i) => test.test(body.joints[i].name)),
-      ),
-    ),
+  const bothSides = element(
+    'div',
+    { class: 'both-sides' },
+    symmetric.label,
+    button('L→R', 'Copy the left arm and leg to the right', () => editor.copySide('LEFT')),
+    button('R→L', 'Copy the right arm and leg to the left', () => editor.copySide('RIGHT')),
   );
   return (state) => {
+    const { body } = state;
+    if (body !== shown) {
+      shown = body;
+      rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
+      const names = body.joints.map(({ name }) => name);
+      const groups = jointGroups(names, 'Body').map(({ title, joints }) =>
+        jointGroup(
+          title,
+          joints.map((joint) => rows[joint]),
+        ),
+      );
+      place.replaceChildren(...(body.isNao ? [bothSides] : []), ...groups);
+    }
     const posture = postureNow(state);
     symmetric.box.checked = state.symmetric;
     rows.forEach((row, i) => drawRow(row, body.joints[i], posture[i], i === state.joint));

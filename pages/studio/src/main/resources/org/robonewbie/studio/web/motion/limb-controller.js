@@ -43,7 +43,7 @@ export class LimbController {
     this.grip = undefined;
     this.gestures = 0;
     this.lastDrag = 0;
-    this.sign = limitSign(stage.stage, stage.body);
+    this.sign = limitSign(stage.stage, () => stage.body);
     const target = stage.stage;
     target.addEventListener('pointerdown', (event) => this.#press(event));
     target.addEventListener('pointermove', (event) => this.#drag(event));
@@ -147,6 +147,9 @@ export class LimbController {
     }
     const target = place.toArray();
     const { body } = this.view;
+    if (grip.link === 0 && !body.isNao) {
+      return;
+    }
     if (grip.link === 0) {
       const way = target.map((value, axis) => value - grip.from[axis]);
       const moved = torsoMoved(body, grip.posture, grip.torso, way);

@@ -18,9 +18,15 @@ const COLOURS = [
 const LARGER = 0.006;
 
 export class LimbPaint {
-  /** @param {Body} body */
-  constructor(body) {
+  constructor() {
     this.group = new THREE.Group();
+    /** @type {THREE.Mesh[]} */
+    this.shapes = [];
+  }
+
+  /** @param {Body} body */
+  setBody(body) {
+    this.group.clear();
     this.shapes = body.model.links.map((link, i) => shapeOf(link.size, body.links[i]));
     this.group.add(...this.shapes);
   }

@@ -9,16 +9,16 @@ const AT_LIMIT_DEGREES = 0.1;
 
 /**
  * @param {HTMLElement} place container of the 3D view
- * @param {Body} body
+ * @param {() => Body} bodyNow the robot that is shown
  * @returns {(joint: number | undefined) => void} function that shows the joint at its limit, or hides the sign
  */
-export function limitSign(place, body) {
+export function limitSign(place, bodyNow) {
   const sign = element('p', { class: 'panel centred limit-sign', role: 'status', hidden: '' });
   place.append(sign);
   return (joint) => {
     sign.hidden = joint === undefined;
     if (joint !== undefined) {
-      setText(sign, `The ${jointName(body.joints[joint].name)} is at its limit.`);
+      setText(sign, `The ${jointName(bodyNow().joints[joint].name)} is at its limit.`);
     }
   };
 }

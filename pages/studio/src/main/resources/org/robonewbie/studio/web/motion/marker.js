@@ -14,9 +14,7 @@ const HIGHLIGHT = 0xffb000;
 const OVER_GROUND = 0.003;
 
 export class Marker {
-  /** @param {Body} body */
-  constructor(body) {
-    this.body = body;
+  constructor() {
     this.group = new THREE.Group();
     this.frame = new THREE.LineSegments(
       new THREE.EdgesGeometry(new THREE.BoxGeometry(1, 1, 1)),
@@ -41,14 +39,15 @@ export class Marker {
   }
 
   /**
+   * @param {Body} body
    * @param {number} link index of a link, or -1
    * @param {Float64Array} poses
    */
-  frameLink(link, poses) {
+  frameLink(body, link, poses) {
     this.frame.visible = link >= 0;
     if (link >= 0) {
       const at = link * POSE;
-      const [x, y, z] = this.body.model.links[link].size;
+      const [x, y, z] = body.model.links[link].size;
       this.frame.scale.set(x * 1.12 + 0.006, y * 1.12 + 0.006, z * 1.08 + 0.006);
       this.frame.position.set(poses[at], poses[at + 1], poses[at + 2]);
       this.frame.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);

@@ -1,7 +1,8 @@
 /** Client for the motion files on the studio's server. */
 import { ask } from '../live/server.js';
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
-import { decode, encode } from '../state/motion/motion-text.js';
+import { bodyOf } from '../state/motion/body.js';
+import { decode, encode, NAO, robotOf } from '../state/motion/motion-text.js';
 import { pathPart } from '../state/path-part.js';
 
 /**
@@ -16,9 +17,18 @@ import { pathPart } from '../state/path-part.js';
  */
 
 export class MotionFiles {
-  /** @returns {Promise<any>} the robot's description */
-  async robot() {
-    return (await ask('robot')).json();
+  /** Robots by name. @type {Map<string, import('../state/motion/body.js').Body>} */
+  #bodies = new Map();
+
+  /** @param {string} [robot] name of a robot @returns {Promise<import('../state/motion/body.js').Body>} */
+  async body(robot = NAO) {
+    const known = this.#bodies.get(robot);
+    if (known) {
+      return known;
+    }
+    const body = bodyOf(await (await ask(robot === NAO ? 'robot' : `robot/${pathPart(robot)}`)).json());
+    this.#bodies.set(robot, body);
+    return body;
   }
 
   /** @returns {Promise<MotionList>} */
@@ -29,13 +39,17 @@ export class MotionFiles {
   /**
    * @param {'motions' | 'library' | 'drafts'} collection
    * @param {string} name
-   * @returns {Promise<{document: MotionDocument, version: string}>}
+   * @returns {Promise<{document: MotionDocument, version: string, body: import('../state/motion/body.js').Body}>} the motion, and the robot
+   *     that it is for
    */
   async read(collection, name) {
     const answer = await ask(`${collection}/${pathPart(name)}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     try {
-      return { document: decode(bytes), version: answer.headers.get('Version') ?? '' };
+      const document = decode(bytes);
+      const body = await this.body(robotOf(document));
+      const version = answer.headers.get('Version') ?? '';
+      return { document: body.isNao ? document : decode(bytes, body.joints.length), version, body };
     } catch (error) {
       const problem = /** @type {Error} */ (error).message;
       throw new Error(`${name}.txt cannot be opened: ${problem} The file was not changed.`, { cause: error });

@@ -42,12 +42,13 @@ export class MotionPicture {
   #drawPlan() {
     const { stage } = this;
     const { state, lag } = this.editor;
+    stage.setBody(state.body);
     const { posture, torso } = this.posedNow();
     const poses = posesOf(state.body, posture, torso);
     const faults = faultsAt(state.body, framesOf(state), state.time, posture, poses);
     stage.show(stage.figure(posture, torso), this.#ghosts(torso));
-    stage.marker.setBalance(balanceOf(state.body, poses));
-    stage.marker.frameLink(state.playing ? -1 : this.over, poses);
+    stage.marker.setBalance(state.body.isNao ? balanceOf(state.body, poses) : undefined);
+    stage.marker.frameLink(state.body, state.playing ? -1 : this.over, poses);
     stage.paint.show(faults, poses);
     this.showFaults([...faults, ...(lag ? lagFaults(state.body, lag, state.time) : [])]);
   }
@@ -64,7 +65,7 @@ export class MotionPicture {
     stage.cameraController.view = { ...stage.cameraController.view, target: [torso[0], torso[1], 0.31] };
     stage.show(robot, state.ghosts ? [this.#planAt(torso), undefined] : []);
     stage.marker.setBalance(undefined);
-    stage.marker.frameLink(-1, new Float64Array());
+    stage.marker.frameLink(state.body, -1, new Float64Array());
     const faults = lagFaults(state.body, lag, state.time);
     stage.paint.show(faults, posesOf(state.body, lag.reached[lagFrame(lag, state.time)], torso));
     this.showFaults(faults);

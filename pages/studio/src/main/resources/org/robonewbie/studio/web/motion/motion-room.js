@@ -1,6 +1,6 @@
 /** The motion room: connects editor, 3D view, timeline and panels. */
 import { button, byId, element } from '../panels/elements.js';
-import { bodyOf, posesOf, postureOfHinges } from '../state/motion/body.js';
+import { posesOf, postureOfHinges } from '../state/motion/body.js';
 import { atMark } from '../state/motion/marks.js';
 import { sideCopied, timed, turned } from '../state/motion/edits.js';
 import { posed, withKeyframeHere } from '../state/motion/editor-state.js';
@@ -14,7 +14,7 @@ import { MotionPicture } from './motion-picture.js';
 import { MotionStage } from './motion-stage.js';
 import { takeTyped } from './number-field.js';
 import { ordersOf } from './orders.js';
-import { stageHint, stageOptions } from './stage-options.js';
+import { stageOptions } from './stage-options.js';
 import { takePosture } from './take-posture.js';
 import { Timeline } from './timeline.js';
 import { toolbar } from './toolbar.js';
@@ -34,7 +34,7 @@ const DISK_MILLISECONDS = 2000;
 /** @param {Surroundings} surroundings */
 export async function openMotionRoom(surroundings) {
   const files = new MotionFiles();
-  const room = new MotionRoom(surroundings, files, bodyOf(await files.robot()));
+  const room = new MotionRoom(surroundings, files, await files.body());
   await room.editor.begin(surroundings.wanted);
   return room;
 }
@@ -47,7 +47,6 @@ class MotionRoom {
    */
   constructor(surroundings, files, body) {
     this.surroundings = surroundings;
-    this.body = body;
     this.stale = true;
     this.editor = new Editor(body, files, { changed: () => this.touch(), note: surroundings.note });
     this.run = (/** @type {Promise<unknown>} */ work) =>
@@ -57,12 +56,12 @@ class MotionRoom {
     const parts = partsOf(place);
     this.stage = new MotionStage(parts.picture, body, surroundings.quality);
     this.picture = new MotionPicture(this.stage, this.editor);
-    const { options, draw } = this.#options();
-    parts.picture.append(stageHint(), options, this.#conflict(), this.#originalRule());
+    const { options, hint, draw } = this.#options();
+    parts.picture.append(hint, options, this.#conflict(), this.#originalRule());
     this.timeline = this.#timeline(parts.line);
     const take = takePosture(
       () => this.#takePosture(),
-      () => surroundings.robotOfRun()?.name ?? '',
+      () => this.#robotOfRun()?.name ?? '',
     );
     this.draws = [
       toolbar(parts.tools, this.editor, this.orders, take),
@@ -82,7 +81,7 @@ class MotionRoom {
   /** @param {HTMLElement} place */
   #timeline(place) {
     const { editor } = this;
-    return new Timeline(place, this.body, {
+    return new Timeline(place, {
       apply: (edit) => editor.apply(edit),
       goTo: (mark) => editor.apply((state) => atMark(state, mark)),
     });
@@ -101,7 +100,7 @@ class MotionRoom {
   /** @param {HTMLElement} place */
   #joints(place) {
     const { editor } = this;
-    const draw = jointPanel(place, this.body, {
+    const draw = jointPanel(place, {
       turn: (joint, degrees, gesture) => editor.apply((state) => turned(state, joint, degrees, gesture)),
       choose: (joint) => editor.apply((state) => ({ ...state, joint })),
       note: this.surroundings.note,
@@ -143,6 +142,11 @@ class MotionRoom {
 
   touch() {
     this.stale = true;
+  }
+
+  /** The robot of the open motion. */
+  get body() {
+    return this.editor.state.body;
   }
 
   /** @param {'light' | 'dark'} theme */
@@ -232,8 +236,14 @@ class MotionRoom {
     );
   }
 
-  #takePosture() {
+  /** Returns the robot followed in the field, if it has the joints of the motion's robot. */
+  #robotOfRun() {
     const robot = this.surroundings.robotOfRun();
+    return robot?.degrees.length === this.body.model.hinges.length ? robot : undefined;
+  }
+
+  #takePosture() {
+    const robot = this.#robotOfRun();
     if (robot) {
       const posture = postureOfHinges(this.body, robot.degrees);
       this.editor.apply((state) =>

@@ -8,6 +8,7 @@ import { isWebGl, opaqueRenderer } from '../field/renderer.js';
 import { InstancedRobots } from '../field/instanced-robots.js';
 import { LimbPaint } from './limb-paint.js';
 import { Marker } from './marker.js';
+import { figureOf } from '../state/figure.js';
 import { hingeDegrees } from '../state/motion/body.js';
 
 /**
@@ -21,6 +22,7 @@ import { hingeDegrees } from '../state/motion/body.js';
 
 const FLOORS = { light: { ground: 0xd3dce3, line: 0xb4c0ca }, dark: { ground: 0x1d252d, line: 0x35414c } };
 const FLOOR_METRES = 3;
+const NAO_METRES = 0.58;
 
 /** Pose of a hidden ghost. */
 const FAR_BELOW = [0, 0, -50, 1, 0, 0, 0];
@@ -33,7 +35,6 @@ export class MotionStage {
    */
   constructor(stage, body, quality) {
     this.stage = stage;
-    this.body = body;
     this.quality = quality;
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 160);
@@ -42,17 +43,16 @@ export class MotionStage {
     this.renderer = opaqueRenderer();
     this.robot = this.#instances(1);
     this.ghosts = this.#instances(2, ghostMaterial());
-    this.ghosts.meshes.forEach((mesh) => {
-      mesh.renderOrder = 2;
-    });
     this.ghosts.group.visible = false;
-    this.marker = new Marker(body);
-    this.paint = new LimbPaint(body);
+    this.marker = new Marker();
+    this.paint = new LimbPaint();
     this.floor = new THREE.Group();
     this.scene.add(this.robot.group, this.ghosts.group, this.marker.group, this.paint.group, this.floor);
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
+    this.body = body;
+    this.#showBody();
     this.cameraController = new CameraController(this.camera);
     this.home();
     this.cameraController.jumpTo(this.cameraController.view);
@@ -60,7 +60,35 @@ export class MotionStage {
 
   /** Resets the view: from the front, slightly from the side. */
   home() {
-    this.cameraController.view = { target: [0, 0, 0.31], azimuthDegrees: 62, elevationDegrees: 12, distance: 1.35 };
+    const height = figureOf(this.body.model).height / NAO_METRES;
+    const target = [0, 0, 0.31 * height];
+    this.cameraController.view = { target, azimuthDegrees: 62, elevationDegrees: 12, distance: 1.35 * height };
+  }
+
+  /** Shows another robot. @param {Body} body */
+  setBody(body) {
+    if (body !== this.body) {
+      this.body = body;
+      this.#showBody();
+      this.home();
+    }
+  }
+
+  #showBody() {
+    for (const instances of [this.robot, this.ghosts]) {
+      const robots = Array.from({ length: instances === this.robot ? 1 : 2 }, (_, id) => ({
+        id,
+        team: '',
+        side: /** @type {'left' | 'right'} */ (id === 0 ? 'left' : 'right'),
+        number: 0,
+        type: 'TYPE_0',
+      }));
+      instances.setScene(/** @type {any} */ ({ robots, models: { TYPE_0: this.body.model } }));
+    }
+    this.ghosts.meshes.forEach((mesh) => {
+      mesh.renderOrder = 2;
+    });
+    this.paint.setBody(this.body);
   }
 
   /** @param {'light' | 'dark'} theme */
@@ -144,14 +172,6 @@ export class MotionStage {
       nearMetres: 100,
       maxNear: 22,
     });
-    const robots = Array.from({ length: count }, (_, id) => ({
-      id,
-      team: '',
-      side: /** @type {'left' | 'right'} */ (id === 0 ? 'left' : 'right'),
-      number: 0,
-      type: 'TYPE_0',
-    }));
-    instances.setScene(/** @type {any} */ ({ robots, models: { TYPE_0: this.body.model } }));
     return instances;
   }
 

@@ -29,6 +29,7 @@ import { ask, askName } from '../panels/questions.js';
  * @property {string[]} keys names of the keys in the browser
  * @property {string} shown label of the keys
  * @property {boolean} [ctrl] whether Ctrl must be held
+ * @property {boolean} [isForNao] whether it is for motions of the NAO only
  * @property {() => void} act
  */
 
@@ -47,7 +48,8 @@ export function ordersOf(editor, run) {
     ...motionOrders(editor, run),
     ...timeOrders(editor),
   ];
-  return orders.map((each) => ({ ...each, act: () => (takeTyped(), each.act()) }));
+  const isPossible = (/** @type {Order} */ { isForNao }) => !isForNao || editor.state.body.isNao;
+  return orders.map((each) => ({ ...each, act: () => (takeTyped(), isPossible(each) && each.act()) }));
 }
 
 /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run @returns {Order[]} */
@@ -80,7 +82,7 @@ function keyframeOrders(editor) {
     ctrl('paste', 'Paste', 'Insert the copied keyframes after the selected one', ['v'], paste),
     order('earlier', '◂ Move', 'Move the selected keyframes one position earlier', ['['], '[', earlier),
     order('later', 'Move ▸', 'Move the selected keyframes one position later', [']'], ']', later),
-    order('mirror', 'Mirror', 'Swap left and right in the selected keyframes', ['m'], 'M', does(mirroredSelection)),
+    naoOrder('mirror', 'Mirror', 'Swap left and right in the selected keyframes', ['m'], 'M', does(mirroredSelection)),
   ];
 }
 
@@ -88,9 +90,9 @@ function keyframeOrders(editor) {
 function motionOrders(editor, run) {
   const does = (/** @type {Edit} */ edit) => () => editor.apply(edit);
   return [
-    order('mirror-all', 'Mirror all', 'Swap left and right in the whole motion', [], '', does(mirroredMotion)),
+    naoOrder('mirror-all', 'Mirror all', 'Swap left and right in the whole motion', [], '', does(mirroredMotion)),
     order('reverse', 'Reverse', 'Reverse the order of the keyframes', [], '', does(reversedMotion)),
-    order('balance', 'Balance', BALANCE_HINT, [], '', () => makeBalanced(editor)),
+    naoOrder('balance', 'Balance', BALANCE_HINT, [], '', () => makeBalanced(editor)),
     order('scale', 'Speed…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
   ];
 }
@@ -127,6 +129,11 @@ function timeOrders(editor) {
  */
 function order(id, name, hint, keys, shown, act) {
   return { id, name, hint, keys, shown, act, ctrl: false };
+}
+
+/** Returns an action for motions of the NAO only; its parameters are those of `order`. @param {Parameters<typeof order>} parameters */
+function naoOrder(...parameters) {
+  return { ...order(...parameters), isForNao: true };
 }
 
 /**

@@ -1,6 +1,7 @@
 /** Small stick figure of a posture for the timeline. */
 import { POSE } from '../state/kinematics.js';
-import { linkIndex, placed, posesOf } from '../state/motion/body.js';
+import { figureOf } from '../state/figure.js';
+import { placed, posesOf } from '../state/motion/body.js';
 
 /** @typedef {import('../state/motion/body.js').Body} Body */
 
@@ -19,7 +20,7 @@ const BONES = [
   ['rankle', 'rfoot'],
 ];
 const AZIMUTH = (35 * Math.PI) / 180;
-const PIXELS_PER_METRE = 62;
+const FIGURE_PIXELS = 36;
 
 /** @type {WeakMap<readonly number[], string>} */
 const drawn = new WeakMap();
@@ -35,15 +36,27 @@ export function stickFigure(body, posture) {
     return known;
   }
   const poses = posesOf(body, posture, placed(body, posture, 'soles'));
-  const at = (/** @type {string} */ name) => {
-    const i = linkIndex(body, name) * POSE;
+  const perMetre = FIGURE_PIXELS / figureOf(body.model).height;
+  const at = (/** @type {number} */ link) => {
+    const i = link * POSE;
     const across = -poses[i] * Math.cos(AZIMUTH) + poses[i + 1] * Math.sin(AZIMUTH);
-    return `${(PIXELS_PER_METRE * across).toFixed(1)} ${(-PIXELS_PER_METRE * poses[i + 2]).toFixed(1)}`;
+    return `${(perMetre * across).toFixed(1)} ${(-perMetre * poses[i + 2]).toFixed(1)}`;
   };
-  const spine = `M${at('head')}L${at('body')}`;
-  const path = [spine, ...BONES.slice(1).map(([from, to]) => `M${at(from)}L${at(to)}`)].join('');
+  const path = bonesOf(body)
+    .map(([from, to]) => `M${at(from)}L${at(to)}`)
+    .join('');
   drawn.set(posture, path);
   return path;
+}
+
+/** @param {Body} body @returns {number[][]} pairs of links, that of the head first */
+function bonesOf({ isNao, model }) {
+  if (isNao) {
+    return BONES.map((bone) => bone.map((name) => model.links.findIndex((link) => link.name === name)));
+  }
+  const { head } = figureOf(model);
+  const bones = model.hinges.map(({ parent, child }) => [child, parent]);
+  return [...bones.filter(([child]) => child === head), ...bones.filter(([child]) => child !== head)];
 }
 
 /** @param {Body} body @param {readonly number[]} posture @returns {number[]} centre of the head in the same drawing */

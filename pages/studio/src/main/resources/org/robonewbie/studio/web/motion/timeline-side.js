@@ -104,10 +104,15 @@ export function markNames(editor) {
   };
 }
 
-/** @param {import('../state/motion/body.js').Body} body @param {TimelineEditor} editor */
-export function jointNames(body, editor) {
+/** @param {TimelineEditor} editor */
+export function jointNames(editor) {
   const list = element('div', { class: 'track-names', 'aria-hidden': 'true' });
-  const rows = jointRows(body).map((joint) => {
+  /** @type {EditorState['body'] | undefined} */
+  let shownBody;
+  /** @type {ReturnType<typeof rowOf>[]} */
+  let rows = [];
+  /** @param {EditorState['body']} body @param {number} joint */
+  const rowOf = (body, joint) => {
     const swatch = element('span', { class: 'swatch' });
     const value = element('span', { class: 'late-degrees' });
     const line = element('div', { class: 'track-name' }, swatch, jointName(body.joints[joint].name), value);
@@ -116,13 +121,17 @@ export function jointNames(body, editor) {
       const manner = event.ctrlKey || event.metaKey || event.shiftKey ? 'toggle' : 'only';
       editor.apply((state) => withRow(state, joint, manner));
     });
-    list.append(line);
     return { joint, line, swatch, value };
-  });
+  };
   return {
     list,
     /** @param {EditorState} state @param {Lag | undefined} lag */
     draw(state, lag) {
+      if (state.body !== shownBody) {
+        shownBody = state.body;
+        rows = jointRows(state.body).map((joint) => rowOf(state.body, joint));
+        list.replaceChildren(...rows.map(({ line }) => line));
+      }
       const shown = state.rows.length > 0 ? state.rows : [state.joint];
       for (const { joint, line, swatch, value } of rows) {
         line.classList.toggle('chosen', shown.includes(joint));

@@ -26,10 +26,9 @@ import { jointNames, markNames, timelineSide } from './timeline-side.js';
 export class Timeline {
   /**
    * @param {HTMLElement} place
-   * @param {import('../state/motion/body.js').Body} body
    * @param {TimelineEditor} editor
    */
-  constructor(place, body, editor) {
+  constructor(place, editor) {
     this.place = place;
     this.editor = editor;
     this.head = shape('svg', { class: 'timeline-head', height: HEAD_HEIGHT });
@@ -39,7 +38,7 @@ export class Timeline {
     this.drawing = shape('svg', { class: 'track-drawing' }, this.still, this.box);
     this.side = timelineSide(editor);
     this.markNames = markNames(editor);
-    this.names = jointNames(body, editor);
+    this.names = jointNames(editor);
     const label = 'Joints. Up and Down select one; with Ctrl, they turn it in the selected keyframes.';
     this.tracks = element('div', { class: 'tracks', tabindex: '0', role: 'group', 'aria-label': label });
     this.tracks.append(this.names.list, this.drawing);

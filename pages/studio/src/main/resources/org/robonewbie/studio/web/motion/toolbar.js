@@ -34,7 +34,9 @@ export function toolbar(place, editor, orders, take) {
     const { state } = editor;
     setText(title, (state.name || state.draft || 'new motion') + (isUnsaved(state) ? ' •' : ''));
     title.title = isUnsaved(state) ? 'Has unsaved changes; they are also kept as a draft' : 'Saved';
-    for (const [id, made] of buttons) {
+    for (const { id, isForNao } of orders) {
+      const made = /** @type {HTMLButtonElement} */ (buttons.get(id));
+      made.hidden = isForNao === true && !state.body.isNao;
       made.disabled = !isPossible(id, editor);
     }
     drawHistory(buttons, state.history);

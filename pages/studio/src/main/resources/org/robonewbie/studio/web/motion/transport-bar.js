@@ -49,6 +49,7 @@ export function transportBar(place, editor, orders, actions) {
     element('div', { class: 'group trial' }, trial, start),
   );
   return () => {
+    trial.hidden = start.hidden = !editor.state.body.isNao;
     drawPlaying(parts, editor);
     drawTrial(parts, editor);
   };

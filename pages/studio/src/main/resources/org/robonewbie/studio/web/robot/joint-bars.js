@@ -1,7 +1,7 @@
 /** All joints of a robot: position within the range, angle, measured speed and commanded speed. */
 import { element, setText } from '../panels/elements.js';
 import { isNao } from '../state/figure.js';
-import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
+import { jointGroups, jointName, shortJointName } from '../state/motion/names.js';
 import { fixed } from '../state/numbers.js';
 
 /**
@@ -40,13 +40,10 @@ function columnHeads() {
 
 /** @param {RobotMoment['model']} model @param {readonly Row[]} rows */
 function groupsOf(model, rows) {
-  const { hinges } = model;
-  const isOther = (/** @type {string} */ joint) => !JOINT_GROUPS.some(({ test }) => test.test(joint));
-  const title = isNao(model) ? 'Toes' : 'Body';
-  return [...JOINT_GROUPS, { title, test: { test: isOther } }].flatMap((group) => {
-    const lines = rows.filter((_, i) => group.test.test(hinges[i].joint)).map(({ line }) => line);
-    const words = { class: 'joint-group', 'aria-label': group.title };
-    return lines.length > 0 ? [element('section', words, element('h2', {}, group.title), ...lines)] : [];
+  const names = model.hinges.map(({ joint }) => joint);
+  return jointGroups(names, isNao(model) ? 'Toes' : 'Body').map(({ title, joints }) => {
+    const lines = joints.map((joint) => rows[joint].line);
+    return element('section', { class: 'joint-group', 'aria-label': title }, element('h2', {}, title), ...lines);
   });
 }
 

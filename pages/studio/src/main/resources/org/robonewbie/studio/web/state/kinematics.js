@@ -26,6 +26,7 @@
  * @property {number} minDegrees
  * @property {number} maxDegrees
  * @property {string} effector name of the effector in messages
+ * @property {number} [stanceDegrees] angle in the stance; absent for the NAO
  * @property {number} maxSpeed maximum speed of its motor, degrees per second; absent for a motor without a limit of speed
  *
  * @typedef {object} RobotModel

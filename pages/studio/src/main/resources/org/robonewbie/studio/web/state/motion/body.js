@@ -7,8 +7,8 @@
  * @property {string} name name such as LEFT_KNEE_PITCH
  * @property {number} minDegrees
  * @property {number} maxDegrees
- * @property {number} maxDegreesPerSecond
- * @property {number} partner index of the joint on the other side, or of itself
+ * @property {number} maxDegreesPerSecond infinite for a motor without a limit of speed
+ * @property {number} partner index of the joint on the other side, or of itself; the latter if it is not known
  * @property {number} mirrorSign factor of the angle when mirrored
  *
  * @typedef {object} BodyLink
@@ -18,26 +18,38 @@
  * @property {number} [length] distance along z between the two hemispheres of a capsule, metres
  *
  * @typedef {object} Body
+ * @property {string} robot name of the robot
+ * @property {boolean} isNao whether it is the NAO, for which alone mirroring, balance, collisions and trials are known
  * @property {JointFacts[]} joints
  * @property {RobotModel} model
  * @property {BodyLink[]} links
  * @property {number[]} jointOfHinge joint index of each hinge of the model
  *
- * @typedef {readonly number[]} Posture 22 angles in degrees in the order of the joints
+ * @typedef {readonly number[]} Posture one angle in degrees for each joint
  */
+import { isNao } from '../figure.js';
 import { computeLinkPoses, POSE, rotated } from '../kinematics.js';
+import { NAO } from './motion-text.js';
 
 const SOLE_HEIGHT = 0.01;
 const EVEN_METRES = 0.006;
 
 /**
- * @param {{joints: JointFacts[], model: RobotModel, links: BodyLink[]}} description description from the studio's server
+ * @typedef {Partial<JointFacts> & Pick<JointFacts, 'name' | 'minDegrees' | 'maxDegrees'>} KnownFacts
+ *
+ * @param {{joints: KnownFacts[], model: RobotModel, links?: BodyLink[]}} description description from the studio's server
  * @returns {Body}
  */
-export function bodyOf(description) {
-  const { joints, model, links } = description;
-  const jointOfHinge = model.hinges.map(({ joint }) => joints.findIndex(({ name }) => name === joint));
-  return { joints, model, links, jointOfHinge };
+export function bodyOf({ joints: known, model, links }) {
+  const joints = known.map((joint, i) => ({ maxDegreesPerSecond: Infinity, partner: i, mirrorSign: 1, ...joint }));
+  return {
+    robot: model.name ?? NAO,
+    isNao: isNao(model),
+    joints,
+    model,
+    links: links ?? model.links.map(() => ({ massKg: 0, solid: false })),
+    jointOfHinge: model.hinges.map(({ joint }) => joints.findIndex(({ name }) => name === joint)),
+  };
 }
 
 /**
@@ -82,7 +94,8 @@ export function linkIndex(body, name) {
 }
 
 /**
- * Places the robot on the ground: with an upright torso, or with the lower sole flat on the ground.
+ * Places the robot on the ground: with an upright torso, or with the lower sole flat on the ground. A robot other than the NAO is always
+ * upright.
  *
  * @param {Body} body
  * @param {Posture} posture
@@ -91,6 +104,9 @@ export function linkIndex(body, name) {
  */
 export function placed(body, posture, manner) {
   const upright = [0, 0, 0, 1, 0, 0, 0];
+  if (!body.isNao) {
+    return upright.with(2, -lowest(body, posesOf(body, posture, upright)));
+  }
   const rotation = manner === 'upright' ? [1, 0, 0, 0] : fromSole(body, posesOf(body, posture, upright));
   const poses = posesOf(body, posture, [0, 0, 0, ...rotation]);
   const [x, y] = middleOfFeet(body, poses);
@@ -105,9 +121,8 @@ export function placed(body, posture, manner) {
 export function lowest(body, poses) {
   let bottom = Infinity;
   body.model.links.forEach((link, i) => {
-    if (body.links[i].solid) {
-      bottom = Math.min(bottom, ...cornersOf(link.size, poses, i).map((corner) => corner[2]));
-    }
+    const corners = body.links[i].solid ? cornersOf(link.size, poses, i) : cornersOfShapes(link.shapes ?? [], poses, i);
+    bottom = Math.min(bottom, ...corners.map((corner) => corner[2]));
   });
   return bottom;
 }
@@ -125,6 +140,17 @@ export function cornersOf(size, poses, link) {
     corners.push(pointOf(poses, link, local));
   }
   return corners;
+}
+
+/**
+ * @param {import('../kinematics.js').Shape[]} shapes
+ * @param {ArrayLike<number>} poses
+ * @param {number} link
+ */
+function cornersOfShapes(shapes, poses, link) {
+  return shapes.flatMap(({ size, position, rotation }) =>
+    cornersOf(size, [...position, ...rotation], 0).map((corner) => pointOf(poses, link, corner)),
+  );
 }
 
 /**

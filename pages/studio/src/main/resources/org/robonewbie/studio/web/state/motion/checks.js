@@ -61,7 +61,7 @@ export function jointMarks(body, frames) {
  * @returns {Mark[]}
  */
 export function bodyMarks(body, frames, manner) {
-  if (frames.length === 0) {
+  if (frames.length === 0 || !body.isNao) {
     return [];
   }
   const step = Math.max(CYCLE_MILLIS, durationOf(frames) / MAX_SAMPLES);

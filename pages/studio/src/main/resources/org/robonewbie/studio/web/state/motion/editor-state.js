@@ -41,8 +41,8 @@ import { keyframesOf, wholeCycles, withInserted, withKeyframe } from './motion-d
 import { EMPTY_DOCUMENT, textOf } from './motion-text.js';
 import { revealing, WHOLE } from './time-view.js';
 import { durationOf, keyframeAt, postureAt, timesOf } from './timing.js';
-import { postureFrom, symmetric } from './posture.js';
-import { STANDING } from './poses.js';
+import { symmetric } from './posture.js';
+import { stanceOf } from './poses.js';
 
 const NEW_WAY_MILLIS = 500;
 
@@ -70,7 +70,7 @@ export function initialEditor(body) {
     manner: 'soles',
     ghosts: true,
     joint: 0,
-    start: postureFrom(body, STANDING),
+    start: stanceOf(body),
     trial: undefined,
     watching: false,
     alone: false,
@@ -100,14 +100,22 @@ export function lengthOf(state) {
 }
 
 /**
+ * @typedef {object} OpenedFile
+ * @property {string} name
+ * @property {string} [draft]
+ * @property {string} version
+ * @property {Body} [body] the robot that the motion is for, unless it is that of the last motion
+ * @property {MotionDocument} document
+ * @property {MotionDocument} [recovered] unsaved work
+ *
  * @param {EditorState} state
- * @param {{name: string, draft?: string, version: string, document: MotionDocument, recovered?: MotionDocument}} file
+ * @param {OpenedFile} file
  * @returns {EditorState}
  */
-export function withFile(state, { name, draft = '', version, document, recovered }) {
+export function withFile(state, { name, draft = '', version, body = state.body, document, recovered }) {
   const history = historyOf(document);
   const opened = {
-    ...state,
+    ...(body === state.body ? state : { ...state, body, start: stanceOf(body), joint: 0, symmetric: false }),
     name,
     draft,
     version,

@@ -17,7 +17,7 @@ import { isTable, readCsv, writeCsv } from './csv.js';
 import { problemNotes } from './foreign.js';
 import { keyframesOf } from './motion-document.js';
 import { readNet, writeNet } from './motion-net.js';
-import { parse, textOf } from './motion-text.js';
+import { NAO, parse, robotOf, textOf } from './motion-text.js';
 import { readWebots, writeWebots } from './webots.js';
 
 /** Extensions of files that can be imported. */
@@ -56,6 +56,11 @@ export const FORMATS = [
     write: (document, body) => writeCsv(keyframesOf(document), body),
   },
 ];
+
+/** @param {Body} body @returns {Format[]} the formats that can express a motion of the robot */
+export function formatsFor(body) {
+  return body.isNao ? FORMATS : FORMATS.filter(({ id }) => id === 'original-text' || id === 'csv');
+}
 
 /** Size limit for imports in bytes, equal to the server's. */
 export const MAX_BYTES = 2 * 1024 * 1024;
@@ -111,6 +116,11 @@ function readText(name, decoded, body, start) {
     return readCsv(content, body, start);
   }
   const document = { ...parse(content), encoding, hasByteOrderMark };
+  if (robotOf(document) !== NAO) {
+    throw new Error(
+      `it is for the robot ${robotOf(document)}. Put it into the folder of your motions, and open it there.`,
+    );
+  }
   return { document, notes: problemNotes(withPlaces(document)) };
 }
 

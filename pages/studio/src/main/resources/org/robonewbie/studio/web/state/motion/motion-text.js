@@ -4,7 +4,7 @@
  *
  * @typedef {object} Keyframe
  * @property {number} millis duration of the transition to this posture
- * @property {readonly number[]} degrees 22 angles in the order of the file
+ * @property {readonly number[]} degrees one angle for each joint, in the order of the file
  *
  * @typedef {object} Line
  * @property {string} text
@@ -16,7 +16,11 @@
  */
 import { decodeText, encodeText, UTF_8 } from '../decoded-text.js';
 
+/** Number of joints of the NAO, for which a motion is unless its file names another robot. */
 export const JOINT_COUNT = 22;
+
+/** The robot of a motion whose file names none. */
+export const NAO = 'NAO';
 
 const INTEGER = /^[+-]?\d{1,9}$/;
 const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
@@ -27,12 +31,13 @@ export const EMPTY_DOCUMENT = { ...UTF_8, lines: [] };
 
 /**
  * @param {Uint8Array} bytes content of a file
+ * @param {number} [joints] number of joints of its robot
  * @returns {MotionDocument}
  * @throws {import('../decoded-text.js').UndecodableText} if the bytes are not text
  */
-export function decode(bytes) {
+export function decode(bytes, joints) {
   const { encoding, hasByteOrderMark, content } = decodeText(bytes);
-  return { encoding, hasByteOrderMark, lines: linesOf(content) };
+  return { encoding, hasByteOrderMark, lines: linesOf(content, joints) };
 }
 
 /**
@@ -52,11 +57,11 @@ export function parse(text) {
   return { encoding: 'UTF-8', hasByteOrderMark, lines: linesOf(hasByteOrderMark ? text.slice(1) : text) };
 }
 
-/** @param {string} content @returns {Line[]} */
-function linesOf(content) {
+/** @param {string} content @param {number} [joints] @returns {Line[]} */
+function linesOf(content, joints) {
   return Array.from(content.matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g))
     .filter(([whole]) => whole !== '')
-    .map(([, text, end]) => parseLine(text, end));
+    .map(([, text, end]) => parseLine(text, end, joints));
 }
 
 /** @param {MotionDocument} document @returns {string} the text without a byte order mark */
@@ -72,9 +77,10 @@ export function textOf(document) {
 /**
  * @param {string} text
  * @param {string} end
+ * @param {number} [joints] number of joints of the robot
  * @returns {Line}
  */
-export function parseLine(text, end) {
+export function parseLine(text, end, joints = JOINT_COUNT) {
   const words = wordsOf(text);
   if (words.length === 0) {
     return { text, end };
@@ -86,11 +92,28 @@ export function parseLine(text, end) {
   if (wrong > 0) {
     return { text, end, problem: `found “${words[wrong].word}”, expected an angle in degrees, such as -12.5` };
   }
-  if (words.length !== 1 + JOINT_COUNT) {
-    return { text, end, problem: `${words.length - 1} angles, expected ${JOINT_COUNT}, one for each joint` };
+  if (words.length !== 1 + joints) {
+    return { text, end, problem: `${words.length - 1} angles, expected ${joints}, one for each joint` };
   }
   const [millis, ...degrees] = words.map(({ word }) => Number(word) + 0);
   return { text, end, keyframe: { millis, degrees } };
+}
+
+/**
+ * Returns the robot that a motion is for: the value of the comment `// robot:`.
+ *
+ * @param {MotionDocument} document
+ * @returns {string}
+ */
+export function robotOf({ lines }) {
+  const comments = lines.filter(({ keyframe, problem }) => !keyframe && !problem);
+  const values = comments.flatMap(({ text }) => /^\s*\/\/\s*robot:(.*)$/s.exec(text)?.[1].trim() ?? []);
+  return values[0] ?? NAO;
+}
+
+/** @param {string} robot @returns {MotionDocument} a document without keyframes */
+export function emptyDocument(robot) {
+  return robot === NAO ? EMPTY_DOCUMENT : { ...EMPTY_DOCUMENT, lines: [{ text: `// robot: ${robot}`, end: '\n' }] };
 }
 
 /**

@@ -36,7 +36,7 @@ export function linkName(name) {
 }
 
 /** Groups in which the joints are listed. @type {Array<{title: string, test: RegExp}>} */
-export const JOINT_GROUPS = [
+const JOINT_GROUPS = [
   { title: 'Head', test: /^(NECK|A*HEAD)/i },
   { title: 'Left arm', test: /^A*LEFT_(SHOULDER|ARM|ELBOW)/i },
   { title: 'Right arm', test: /^A*RIGHT_(SHOULDER|ARM|ELBOW)/i },
@@ -45,11 +45,28 @@ export const JOINT_GROUPS = [
 ];
 
 /**
+ * The groups of a robot's joints, with a last one for those that fit in no other.
+ *
+ * @param {readonly string[]} names names of the joints
+ * @param {string} others title of the last group
+ * @returns {Array<{title: string, joints: number[]}>} groups that are not empty, with indices of joints
+ */
+export function jointGroups(names, others) {
+  const isOther = (/** @type {string} */ name) => !JOINT_GROUPS.some(({ test }) => test.test(name));
+  return [...JOINT_GROUPS, { title: others, test: { test: isOther } }]
+    .map(({ title, test }) => ({ title, joints: names.flatMap((name, i) => (test.test(name) ? [i] : [])) }))
+    .filter(({ joints }) => joints.length > 0);
+}
+
+/**
  * The joints in the order of the timeline, from head to foot.
  *
  * @param {{joints: ReadonlyArray<{name: string}>}} body
  * @returns {number[]} indices of joints
  */
 export function jointRows({ joints }) {
-  return JOINT_GROUPS.flatMap(({ test }) => joints.flatMap(({ name }, joint) => (test.test(name) ? [joint] : [])));
+  return jointGroups(
+    joints.map(({ name }) => name),
+    '',
+  ).flatMap((group) => group.joints);
 }

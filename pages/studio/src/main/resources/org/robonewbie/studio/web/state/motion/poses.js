@@ -7,6 +7,7 @@
  * @property {string} name
  * @property {readonly number[]} degrees
  */
+import { postureOfHinges } from './body.js';
 import { contentOf, newLine, parse } from './motion-text.js';
 import { postureFrom } from './posture.js';
 
@@ -43,8 +44,24 @@ const POSTURES = [
   ['Look up', { ...STANDING, NECK_PITCH: 35 }],
 ];
 
+/** @param {Body} body @returns {number[]} the stance from which motions start */
+export function stanceOf(body) {
+  return body.isNao
+    ? postureFrom(body, STANDING)
+    : postureOfHinges(
+        body,
+        body.model.hinges.map(({ stanceDegrees = 0 }) => stanceDegrees),
+      );
+}
+
 /** @param {Body} body @returns {NamedPosture[]} */
 export function templatePostures(body) {
+  if (!body.isNao) {
+    return [
+      { name: 'Stand', degrees: stanceOf(body) },
+      { name: 'Construction pose', degrees: body.joints.map(() => 0) },
+    ];
+  }
   return POSTURES.map(([name, angles]) => ({ name, degrees: postureFrom(body, angles) }));
 }
 

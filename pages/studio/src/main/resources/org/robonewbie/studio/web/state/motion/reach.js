@@ -28,14 +28,14 @@ const METRES_PER_UP = 0.12;
 const LIMBS = /^(body|head|[lr](upperarm|lowerarm|thigh|shank|foot))$/;
 
 /**
- * Returns the joints between a limb and the next limb inwards.
+ * Returns the joints between a limb and the next limb inwards; for a robot other than the NAO, the one joint that turns the link.
  *
  * @param {Body} body
  * @param {number} link
  * @returns {number[]} indices of joints
  */
 export function ownJoints(body, link) {
-  return chain(body, link, (parent) => LIMBS.test(body.model.links[parent].name));
+  return chain(body, link, (parent) => !body.isNao || LIMBS.test(body.model.links[parent].name));
 }
 
 /**
@@ -52,7 +52,7 @@ export function chainJoints(body, link) {
 /** @param {Body} body @param {number} link @returns {number} the limb to which a small link inside a joint belongs */
 export function limbOf(body, link) {
   let limb = link;
-  while (!LIMBS.test(body.model.links[limb].name)) {
+  while (body.isNao && !LIMBS.test(body.model.links[limb].name)) {
     limb = /** @type {{child: number}} */ (body.model.hinges.find(({ parent }) => parent === limb)).child;
   }
   return limb;
