@@ -6,10 +6,10 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.motion.FallenPose;
 import org.robonewbie.learning.motion.MotionTrial;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.nao.motion.JointSpace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
@@ -140,13 +140,14 @@ final class MotionScene {
      */
     private static double beyondMotors(Motion motion) {
         double sum = 0;
+        List<JointSpace.Limits> joints = motion.jointSpace().joints();
         List<Keyframe> keyframes = motion.keyframes();
         Posture before = keyframes.get(keyframes.size() - 1).posture();
         for (Keyframe keyframe : keyframes) {
             double seconds = keyframe.durationMillis() / 1000.0;
-            for (Joint joint : Joint.values()) {
-                double change = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
-                sum += Math.max(0, change - joint.maxDegreesPerSecond() * seconds);
+            for (int i = 0; i < joints.size(); i++) {
+                double change = Math.abs(keyframe.posture().degrees(i) - before.degrees(i));
+                sum += Math.max(0, change - joints.get(i).maxDegreesPerSecond() * seconds);
             }
             before = keyframe.posture();
         }
