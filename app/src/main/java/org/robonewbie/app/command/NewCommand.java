@@ -29,6 +29,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie new my-team --package org.example.soccer",
             "  robonewbie new my-team --build gradle",
             "  robonewbie new my-team --from team        starts from the example team",
+            "  robonewbie new my-team --robot T1         plays on the server of today's league",
             "then: cd my-team, and ./robonewbie (on Windows: robonewbie)"
         })
 final class NewCommand implements Callable<Integer> {
@@ -57,6 +58,18 @@ final class NewCommand implements Callable<Integer> {
             description = "Initial content: agent, or team for a copy of the example team (default: agent).")
     private NewProject.Origin origin = NewProject.Origin.AGENT;
 
+    @Option(
+            names = "--robot",
+            paramLabel = "ROBOT",
+            description = "The robot: NAO, or T1 for the server of today's league (default: NAO).")
+    private Robot robot = Robot.NAO;
+
+    /** The robots that a project can begin with. */
+    enum Robot {
+        NAO,
+        T1
+    }
+
     @Override
     public Integer call() throws IOException {
         String folder = Path.of(name).getFileName().toString();
@@ -81,8 +94,12 @@ final class NewCommand implements Callable<Integer> {
                             + " character \"" + character + "\": " + project.toAbsolutePath()
                             + ". Create it in another folder.");
         });
+        if (robot == Robot.T1 && origin == NewProject.Origin.TEAM) {
+            throw new CalledWronglyException("The example team plays with NAOs: leave out --from team or --robot T1.");
+        }
+        NewProject.Origin content = robot == Robot.T1 ? NewProject.Origin.T1 : origin;
         Path jar = ownJar();
-        new NewProject(folder, chosen, tool, origin, jar, ProgramVersion.of(jar)).create(project);
+        new NewProject(folder, chosen, tool, content, jar, ProgramVersion.of(jar)).create(project);
         System.out.println("Created the project " + project.toAbsolutePath() + System.lineSeparator()
                 + "Next steps: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()

@@ -113,6 +113,30 @@ class NewCommandTest {
     }
 
     @Test
+    void projectForAT1HasItsOwnAgentTestAndSettings() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path project = folder.resolve("my-team");
+
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.T1, jar, "2.0.0").create(project);
+
+        assertThat(project.resolve("robonewbie.properties")).content().contains("robot = T1");
+        assertThat(project.resolve("README.md"))
+                .content()
+                .contains("pip install rcsssmj==0.2.1")
+                .doesNotContain("{{");
+        assertThat(mistakesIn(project, "src/main/java/team/MyAgent.java")).isEmpty();
+        assertThat(mistakesIn(project, "src/test/java/team/MyAgentTest.java")).isEmpty();
+    }
+
+    @Test
+    void teamOfT1IsRefused() {
+        Printed printed = Printed.by("new", folder.resolve("team").toString(), "--from", "team", "--robot", "T1");
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err()).contains("The example team plays with NAOs");
+    }
+
+    @Test
     void folderThatExistsIsKept() {
         Printed printed = Printed.by("new", folder.toString());
 

@@ -2,7 +2,6 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -111,7 +110,7 @@ final class AgentRunner {
 
     private static Optional<LearnedWalk> walk(RobotModel model, Options options) {
         try {
-            return LearnedWalk.of(model, options.walk().map(Path::of));
+            return LearnedWalk.of(model, options.walk());
         } catch (IllegalArgumentException | UncheckedIOException unusable) {
             throw new StartUpException(
                     "--walk " + options.walk().orElse("") + " cannot be used: " + unusable.getMessage());

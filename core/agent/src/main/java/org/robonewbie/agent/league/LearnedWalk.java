@@ -1,7 +1,6 @@
 package org.robonewbie.agent.league;
 
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.perception.TorsoMotion;
@@ -59,12 +58,12 @@ public final class LearnedWalk {
      * Loads the walk of a robot.
      *
      * @param model the robot
-     * @param file a policy file; empty for the shipped policy
+     * @param file path of a policy file; empty for the shipped policy
      * @return the walk; empty for a robot that only stands, because no policy is shipped for it
      * @throws IllegalArgumentException if the file contains no policy for a walk of that robot
      * @throws UncheckedIOException if the file cannot be read
      */
-    public static Optional<LearnedWalk> of(RobotModel model, Optional<Path> file) {
+    public static Optional<LearnedWalk> of(RobotModel model, Optional<String> file) {
         Optional<Policy> shipped =
                 model.equals(BoosterT1.MODEL) ? Optional.of(PolicyFile.shipped("t1-walk")) : Optional.empty();
         return file.map(PolicyFile::read).or(() -> shipped).map(policy -> new LearnedWalk(policy, model));

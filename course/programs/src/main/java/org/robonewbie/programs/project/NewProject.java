@@ -33,6 +33,8 @@ public final class NewProject {
     public enum Origin {
         /** An agent that waves and turns towards the ball. */
         AGENT,
+        /** An agent that does the same as a Booster T1 on RCSSServerMJ. */
+        T1,
         /** A copy of the example team. */
         TEAM
     }
@@ -95,9 +97,10 @@ public final class NewProject {
             System.err.println("The file robonewbie could not be made executable. Start it with: sh robonewbie");
         }
         writeAgent(project.resolve("src/main/java").resolve(folder()));
-        write(
-                "MyAgentTest.java",
-                project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
+        writeTest(project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
+        if (origin == Origin.T1) {
+            write("t1.properties", project.resolve("robonewbie.properties"));
+        }
         Files.createDirectories(project.resolve("motions"));
         MotionFiles.save(ShippedMotions.file("wave"), project.resolve("motions/greet.txt"));
         fillRepository(project);
@@ -107,8 +110,12 @@ public final class NewProject {
         if (origin == Origin.TEAM) {
             new ExampleTeam(packageName, "MyAgent").write(folder);
         } else {
-            write("MyAgent.java", folder.resolve("MyAgent.java"));
+            write(origin == Origin.T1 ? "MyT1Agent.java" : "MyAgent.java", folder.resolve("MyAgent.java"));
         }
+    }
+
+    private void writeTest(Path file) throws IOException {
+        write(origin == Origin.T1 ? "MyT1AgentTest.java" : "MyAgentTest.java", file);
     }
 
     private void fillRepository(Path project) throws IOException {
@@ -137,6 +144,7 @@ public final class NewProject {
     private void write(String template, Path file) throws IOException {
         String text = read(template)
                 .replace("{{team}}", origin == Origin.TEAM ? read("team.md") : "")
+                .replace("{{t1}}", origin == Origin.T1 ? read("t1.md") : "")
                 .replace("{{name}}", name)
                 .replace("{{version}}", version)
                 .replace("{{build}}", tool == BuildTool.MAVEN ? "mvn" : "gradle")

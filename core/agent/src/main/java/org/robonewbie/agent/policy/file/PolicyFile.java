@@ -45,6 +45,18 @@ public final class PolicyFile {
     /**
      * Reads a policy file.
      *
+     * @param file path of the file
+     * @return the policy
+     * @throws UncheckedIOException if the file cannot be read
+     * @throws IllegalArgumentException if it contains no valid policy
+     */
+    public static Policy read(String file) {
+        return read(Path.of(file));
+    }
+
+    /**
+     * Reads a policy file.
+     *
      * @param file the file
      * @return the policy
      * @throws UncheckedIOException if the file cannot be read
