@@ -6,10 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
@@ -29,6 +32,8 @@ public final class DomainRandomization {
     private static final String RANGE = "..";
     private static final double MAX = 1e6;
 
+    private static final SoccerField PITCH = SoccerParameters.beginner().field();
+
     /** Largest commanded speed, in metres per second. */
     static final double MAX_SPEED = 3;
 
@@ -39,11 +44,11 @@ public final class DomainRandomization {
     static final double MAX_DISTANCE = 8;
 
     enum Name {
-        X("start position of the robot, metres"),
-        Y(X.meaning),
+        X("start position of the robot, metres, on the pitch", -PITCH.length() / 2, PITCH.length() / 2),
+        Y(X.meaning, -PITCH.width() / 2, PITCH.width() / 2),
         HEADING("start heading of the robot, degrees (0: towards the right goal)"),
-        BALL_X("start position of the ball, metres"),
-        BALL_Y(BALL_X.meaning),
+        BALL_X("start position of the ball, metres, on the pitch", X.min, X.max),
+        BALL_Y(BALL_X.meaning, Y.min, Y.max),
         PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
         DELAY("additional cycles until an action reaches the motors", 0, 1000, true),
         CYCLES("cycles per action (1); their rewards are added", 1, 1000, true),
@@ -151,12 +156,33 @@ public final class DomainRandomization {
         double draw(RandomSource random) {
             return low == high ? low : random.between(low, high);
         }
+
+        @Override
+        public String toString() {
+            return low == high ? Double.toString(low) : low + RANGE + high;
+        }
     }
 
     private final Map<Name, Range> ranges;
 
     private DomainRandomization(Map<Name, Range> ranges) {
         this.ranges = ranges;
+    }
+
+    /**
+     * Parses options.
+     *
+     * @param assignments the options, each {@code NAME=VALUE} or {@code NAME=LOW..HIGH}
+     * @return the options
+     * @throws IllegalArgumentException if an option does not exist or its value is invalid
+     */
+    public static DomainRandomization of(List<String> assignments) {
+        DomainRandomization all = NONE;
+        for (String assignment : assignments) {
+            String[] parts = assignment.split("=", 2);
+            all = all.with(parts[0], parts[parts.length - 1]);
+        }
+        return all;
     }
 
     /**
@@ -179,6 +205,17 @@ public final class DomainRandomization {
      */
     public DomainRandomization withDefaultCycles(int cycles) {
         return ranges.containsKey(Name.CYCLES) ? this : with(Name.CYCLES.word(), Integer.toString(cycles));
+    }
+
+    /**
+     * Returns the value of an option that has been {@link #draw drawn}.
+     *
+     * @param word the name of the option
+     * @param defaultValue the value of an option that is not set
+     * @return the value
+     */
+    public double value(String word, double defaultValue) {
+        return of(Name.of(word), defaultValue);
     }
 
     /** Returns the range of an option; empty if the option is not set. */
@@ -205,6 +242,14 @@ public final class DomainRandomization {
             drawn.put(name, name == Name.STRENGTH ? range : new Range(value, value));
         });
         return new DomainRandomization(drawn);
+    }
+
+    /** {@return the options as in a command line, such as {@code friction=0.5..2.0 mass=0.9}} */
+    @Override
+    public String toString() {
+        return ranges.entrySet().stream()
+                .map(set -> set.getKey().word() + "=" + set.getValue())
+                .collect(Collectors.joining(" "));
     }
 
     private boolean isAnySet(Name... names) {
