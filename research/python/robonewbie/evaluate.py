@@ -86,6 +86,15 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
     return Result(returns, actions, successes)
 
 
+def compare(task, file=None, episodes=128, first_seed=FIRST_SEED, options=None):
+    """Prints the results of the policy in a file, if any, and of zero actions."""
+    policies = {"zero actions": None}
+    if file:
+        policies = {str(file): PlayedPolicy(Path(file).read_text(encoding="utf-8")), **policies}
+    for name, policy in policies.items():
+        print(f"{name}: {evaluate(task, policy, episodes, first_seed, options)}", flush=True)
+
+
 def main(words=None):
     """Runs the command line."""
     parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy and compares it with zero actions.")
@@ -95,11 +104,7 @@ def main(words=None):
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"seed of the first episode (default: {FIRST_SEED})")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2")
     wanted = parser.parse_args(words)
-    policies = {"zero actions": None}
-    if wanted.policy:
-        policies = {str(wanted.policy): PlayedPolicy(wanted.policy.read_text(encoding="utf-8")), **policies}
-    for name, policy in policies.items():
-        print(f"{name}: {evaluate(wanted.task, policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))}")
+    compare(wanted.task, wanted.policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))
 
 
 if __name__ == "__main__":
