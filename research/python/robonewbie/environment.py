@@ -187,7 +187,8 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     """A task for one robot; a step is a cycle of 20 ms.
 
     ``observation_names``, ``observation_units`` and ``action_names`` describe the spaces. An action contains a target angle for each
-    joint: -1 to 1 times ``range_degrees``, relative to the initial posture.
+    joint: -1 to 1 times ``range_degrees``, relative to the initial posture. With ``speeds=1``, it contains a fraction of each joint's highest
+    speed. With ``history=3``, an observation contains those of the two actions before as well.
 
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
     ``x``, ``y``, ``ball_x``, ``ball_y`` (metres), ``heading`` (degrees), ``push`` (increase in newtons from one push to the next, with one

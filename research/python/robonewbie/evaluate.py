@@ -21,16 +21,22 @@ FIRST_SEED = 1_000_000
 
 
 class PlayedPolicy:
-    """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
+    """Policy loaded from its file, evaluated with NumPy for a batch of observations. ``options`` are those that it needs of the task."""
 
     def __init__(self, text):
-        self.inputs, self.cycles, self.layers = [], 1, network.read(text)
+        self.inputs, self.layers = [], network.read(text)
+        self.options = {"cycles": 1}
         for line in text.splitlines():
             words = line.split(" ")
             if words[0] == "input":
                 self.inputs.append(words[1])
+                age = int(words[1].partition("@-")[2] or 0)
+                if age:
+                    self.options["history"] = max(age + 1, self.options.get("history", 1))
+            if words[0] == "output" and words[1].startswith("speed."):
+                self.options["speeds"] = 1
             if words[:2] == ["numbers", "cycles-per-action"]:
-                self.cycles = int(words[2])
+                self.options["cycles"] = int(words[2])
         self.reset()
 
     def reset(self):
@@ -61,9 +67,9 @@ class Result:
 def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
     """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
-    The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it.
+    Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them.
     """
-    robots = Connection(task, episodes, "", {"cycles": policy.cycles if policy else 1, **(options or {})})
+    robots = Connection(task, episodes, "", {**(policy.options if policy else {}), **(options or {})})
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     indices = [names.index(name) for name in policy.inputs] if policy else []

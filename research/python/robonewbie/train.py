@@ -43,7 +43,7 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     """Formats a policy for org.robonewbie.agent.policy.PolicyText. Layers come from :func:`torch_layers`; a tuple of weights, biases and
     activation, such as "tanh", is a fully connected layer. Packed weights take a fifth of the space, and are rounded.
 
-    If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
+    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle. If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
@@ -52,8 +52,8 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     if cycles > 1:
         lines.append(f"numbers cycles-per-action {cycles}")
     lines += [f"input {name} {unit}" for name, unit in inputs]
-    kind = "" if walk else "joint."
-    lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
+    angles = {name: (f"{'' if walk else 'joint.'}{name}", f"{range_degrees:g} degrees") for name in outputs if isinstance(name, str)}
+    lines += ["output {} {}".format(*angles.get(output, output)) for output in outputs]
     return "\n".join([*lines, *network.lines(layers, packed)]) + "\n"
 
 
@@ -242,7 +242,7 @@ class Training:
             wanted.task,
             [f"learned by: {command_of(wanted, self.model.num_timesteps)}"],
             [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
-            described["action"],
+            [(output["name"], output["unit"]) for output in described["output"]],
             described["rangeDegrees"],
             layers_of(self.model, self.normalised, self.inputs),
             described["motion"],

@@ -2,10 +2,12 @@ package org.robonewbie.learning.environment;
 
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.SoccerField;
@@ -77,7 +79,12 @@ public final class DomainRandomization {
         COM_FORWARD("displacement of the torso's weight from its centre, metres", -0.2, 0.2),
         COM_LEFT(COM_FORWARD.meaning, -0.2, 0.2),
         JITTER("largest additional delay of an action in cycles, drawn for each cycle", 0, 1000, true),
+        HISTORY("observations that make up one: the current one and those of the actions before (1)", 1, 100, true),
+        SPEEDS("1: actions are joint speeds, as fractions of the highest speed, instead of angles", 0, 1, true),
         TRUE_STATE("1: answers also contain trueState", 0, 1, true);
+
+        /** The options that determine the spaces, and cannot be changed later. */
+        private static final Set<Name> OF_SPACES = EnumSet.of(HISTORY, SPEEDS, TRUE_STATE);
 
         private final String meaning;
         private final double min;
@@ -142,7 +149,7 @@ public final class DomainRandomization {
                 throw new IllegalArgumentException(
                         "The option " + name.word() + "=" + text + " is not a whole number. Use one, such as 2.");
             }
-            if ((name == Name.CYCLES || name == Name.TRUE_STATE) && low != high) {
+            if ((name == Name.CYCLES || Name.OF_SPACES.contains(name)) && low != high) {
                 throw new IllegalArgumentException("The option " + name.word() + "=" + text
                         + " is a range, but all actions and episodes have the same. Use a single number.");
             }
@@ -216,6 +223,20 @@ public final class DomainRandomization {
      */
     public double value(String word, double defaultValue) {
         return of(Name.of(word), defaultValue);
+    }
+
+    /**
+     * Checks that other options have the same observations, actions and true state.
+     *
+     * @throws IllegalArgumentException if not; the message contains the option that differs
+     */
+    void requireSameSpaces(DomainRandomization other) {
+        for (Name name : Name.OF_SPACES) {
+            if (of(name, name.min) != other.of(name, name.min)) {
+                throw new IllegalArgumentException("The option " + name.word()
+                        + " cannot be changed later. Pass it when the environment is made.");
+            }
+        }
     }
 
     /** Returns the range of an option; empty if the option is not set. */
