@@ -4,9 +4,12 @@
     python -m robonewbie.evaluate QuickGetUp QuickGetUp.policy --option friction=2 --n-eval-episodes 256
 """
 
+from __future__ import annotations
+
 import argparse
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +26,7 @@ FIRST_SEED = 1_000_000
 class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations. ``options`` are those that it needs of the task."""
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         self.inputs, self.layers = [], network.read(text)
         self.options = {"cycles": 1}
         for line in text.splitlines():
@@ -39,11 +42,11 @@ class PlayedPolicy:
                 self.options["cycles"] = int(words[2])
         self.reset()
 
-    def reset(self):
+    def reset(self) -> None:
         """Forgets all earlier observations, as at the start of an episode."""
         self.states = [None] * len(self.layers)
 
-    def act(self, observation):
+    def act(self, observation: np.ndarray) -> np.ndarray:
         """Returns a row of actions from -1 to 1 for each row of observations. A recurrent policy remembers each row's observations."""
         values = observation.astype(float)
         for i, layer in enumerate(self.layers):
@@ -64,7 +67,9 @@ class Result:
         return f"return {np.mean(self.returns):.3f} ± {error:.3f}, success {np.sum(self.successes)} of {len(self.successes)}"
 
 
-def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
+def evaluate(
+    task: str, policy: PlayedPolicy | None = None, episodes: int = 128, first_seed: int = FIRST_SEED, options: dict[str, Any] | None = None
+) -> Result:
     """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
     Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them.

@@ -1,5 +1,7 @@
 """Reflection of observations and actions in the plane between the robot's left and right, for symmetry losses and data augmentation."""
 
+from __future__ import annotations
+
 import re
 
 import numpy as np
@@ -16,7 +18,7 @@ _OPPOSITE = re.compile(
 )
 
 
-def mirror_of(names):
+def mirror_of(names: list[str]) -> tuple[np.ndarray, np.ndarray]:
     """Returns indices and signs such that ``signs * values[..., indices]`` are the mirrored values of the quantities with these names.
 
     :raises RoboNewbieError: if a quantity of one side has no counterpart on the other

@@ -287,7 +287,7 @@ public final class DomainRandomization {
                     of(Name.X, pose.x()),
                     of(Name.Y, pose.y()),
                     now.robot().position().z());
-            trial.robot(0).moveUpright(torso, of(Name.HEADING, pose.degrees()) - 90);
+            trial.robot(0).moveAndTurn(torso, of(Name.HEADING, pose.degrees()) - pose.degrees());
         }
         if (isAnySet(Name.BALL_X, Name.BALL_Y)) {
             Vector3 ball = now.ball();

@@ -162,12 +162,18 @@ final class EpisodeRunner implements Controller {
     /** Returns the current observation, clamped to the ranges of the quantities. */
     double[] observation(List<ObservedQuantity> quantities) {
         double[] now = row();
+        double[] all = history > 1 ? withHistory(now) : now;
+        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
+        return all;
+    }
+
+    private double[] withHistory(double... now) {
         List<double[]> rows = new ArrayList<>(past);
         rows.add(0, now);
-        double[] all = new double[quantities.size()];
-        for (int i = 0; i < all.length; i++) {
-            int age = Math.min(i / now.length, rows.size() - 1);
-            all[i] = quantities.get(i).clamped(rows.get(age)[i % now.length]);
+        double[] all = new double[history * now.length];
+        for (int age = 0; age < history; age++) {
+            double[] row = rows.get(Math.min(age, rows.size() - 1));
+            System.arraycopy(row, 0, all, age * now.length, now.length);
         }
         return all;
     }
