@@ -422,6 +422,17 @@ def _with_height(space):
 
 
 class ProcessTest(unittest.TestCase):
+    def test_id_with_the_name_of_the_package_needs_no_import(self):
+        def made(name):
+            code = f"import gymnasium; print(gymnasium.make('{name}').unwrapped)"
+            return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+
+        self.assertIn("<RoboNewbieEnv", made("robonewbie:RoboNewbie/Reach-v1").stdout)
+        self.assertIn("NamespaceNotFound", made("RoboNewbie/Reach-v1").stderr)
+
+    def test_types_are_part_of_the_package(self):
+        self.assertTrue(Path(robonewbie.__file__).with_name("py.typed").exists())
+
     def test_processes_of_a_program_share_one_simulator(self):
         program = (
             "import multiprocessing, robonewbie\n"
