@@ -9,82 +9,29 @@ returns during training, and returns of the policies and of a zero-action baseli
 
 import argparse
 import csv
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from robonewbie import curve, evaluate, train
+from robonewbie.settings import TASKS
 
 SEEDS = (1, 2, 3)
 EVALUATED = 256
 
-# Five epochs instead of the default ten halve the time spent in Python.
-COMMON = ["--n-epochs", "5"]
-
-
-@dataclass(frozen=True)
-class Baseline:
-    """Training settings for a task: the total number of cycles, arguments of robonewbie.train, and options of the task."""
-
-    cycles: int
-    settings: str
-    options: tuple = ()
-
-    @property
-    def words(self):
-        """The arguments for robonewbie.train."""
-        timesteps = self.cycles // int(train.options_of(self.options).get("cycles", 1))
-        options = (word for option in self.options for word in ("--option", option))
-        return ["--total-timesteps", str(timesteps), *COMMON, *self.settings.split(), *options]
-
-
-def _log_std(deviation, inputs=1):
-    """Returns the initial log standard deviation for a given deviation of the actions; with gSDE, the noise from all inputs adds up."""
-    return float(np.log(deviation / np.sqrt(inputs)))
-
-
-# Noise that stays constant for several actions (gSDE) makes the consequences of exploration visible.
-_ENGINE = Baseline(
-    4_000_000,
-    "--n-envs 512 --n-steps 32 --batch-size 4096 --learning-rate 0.001 --gamma 0.99"
-    f" --log-std-init {_log_std(0.15, 32)} --sde-sample-freq 8 --net-arch 32 32",
-)
-TASKS = {
-    # One action, the posture of the robot, lasts the whole episode. Cycles after a fall count too.
-    "Stand": Baseline(
-        40_000_000,
-        "--n-envs 512 --n-steps 4 --batch-size 1024 --learning-rate 0.005 --gamma 1 --gae-lambda 1"
-        f" --log-std-init {_log_std(0.2)} --net-arch --inputs gyro.(forward|left)",
-        ("cycles=500",),
-    ),
-    "EngineFollow": _ENGINE,
-    "EngineRun": _ENGINE,
-    "KickTo": Baseline(
-        1_500_000,
-        "--n-envs 256 --n-steps 60 --batch-size 3840 --learning-rate 0.001 --gamma 1"
-        f" --log-std-init {_log_std(0.06, 32)} --sde-sample-freq 60 --net-arch 32 32 --inputs command.*|motion.*",
-        ("cycles=5",),
-    ),
-    "QuickGetUp": Baseline(
-        2_000_000,
-        "--n-envs 256 --n-steps 100 --batch-size 6400 --learning-rate 0.001 --gamma 0.99"
-        f" --log-std-init {_log_std(0.1, 9)} --sde-sample-freq 100 --net-arch"
-        " --inputs motion.*|gyro.left|accelerometer.(forward|up)",
-        ("cycles=2", "friction=0.5..2", "mass=0.9..1.1"),
-    ),
-}
-
-
 def train_seed(task, seed, folder):
     """Starts or resumes the training run with one seed, and returns the file of its policy."""
-    baseline = TASKS[task]
     out = folder / f"{task}-{seed}.policy"
     file = _curve_of(out)
-    if not file.exists() or curve.read(file)[0][-1] < baseline.cycles / 1e6:
+    if not file.exists() or curve.read(file)[0][-1] < _cycles(task) / 1e6:
         resume = ["--resume"] if out.with_name(out.name + ".zip").exists() else []
-        train.main([task, "--seed", str(seed), *baseline.words, "--out", str(out), *resume])
+        train.main([task, "--seed", str(seed), "--n-eval-episodes", "0", "--out", str(out), *resume])
     return out
+
+
+def _cycles(task):
+    """Returns the total number of cycles of a training run."""
+    return int(TASKS[task].total_timesteps * train.options_of(TASKS[task].options).get("cycles", 1))
 
 
 def _curve_of(policy):
@@ -111,7 +58,7 @@ def row(task, policies):
     nothing = evaluate.evaluate(task, None, EVALUATED, options=options)
     cells = [
         f"`{task}`",
-        f"{TASKS[task].cycles:,}",
+        f"{_cycles(task):,}",
         _range([_minutes(_curve_of(policy)) for policy in policies], 1),
         _range([rewards[0] for _, rewards in curves]),
         _range([np.mean(rewards[-max(1, len(rewards) // 10) :]) for _, rewards in curves]),

@@ -9,6 +9,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from robonewbie.mirror import mirror_of
 from robonewbie.picture import draw
 from robonewbie.simulator import RESET, SKIP, STEP, TRUNCATED, Connection, RoboNewbieError
 
@@ -79,6 +80,26 @@ class SimulatedTask:
         self._set_cycles(options)
         self.studio_address = self._show() if render_mode == "human" else None
         return spaces_of(self.description)
+
+    @property
+    def observation_mirror(self) -> tuple[np.ndarray, np.ndarray]:
+        """Indices and signs that exchange left and right: ``signs * observation[..., indices]`` is the mirrored observation.
+
+        :raises RoboNewbieError: if the task is not symmetric
+        """
+        return self._mirror(self.observation_names)
+
+    @property
+    def action_mirror(self) -> tuple[np.ndarray, np.ndarray]:
+        """Indices and signs of the mirrored action, as for ``observation_mirror``."""
+        return self._mirror(self.action_names)
+
+    def _mirror(self, names):
+        if self.description["motion"]:
+            raise RoboNewbieError("The task is not symmetric: its actions correct a motion.")
+        if self.description["walk"]:  # quantities of swing leg and support leg are the same on both sides
+            return np.arange(len(names)), np.ones(len(names), dtype=np.float32)
+        return mirror_of(names)
 
     def _show(self):
         address, file = self._connection.show(0)
@@ -166,7 +187,8 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     """A task for one robot; a step is a cycle of 20 ms.
 
     ``observation_names``, ``observation_units`` and ``action_names`` describe the spaces. An action contains a target angle for each
-    joint: -1 to 1 times ``range_degrees``, relative to the initial posture.
+    joint: -1 to 1 times ``range_degrees``, relative to the initial posture. With ``speeds=1``, it contains a fraction of each joint's highest
+    speed. With ``history=3``, an observation contains those of the two actions before as well.
 
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
     ``x``, ``y``, ``ball_x``, ``ball_y`` (metres), ``heading`` (degrees), ``push`` (increase in newtons from one push to the next, with one

@@ -4,9 +4,12 @@
     python -m robonewbie.evaluate QuickGetUp QuickGetUp.policy --option friction=2 --n-eval-episodes 256
 """
 
+from __future__ import annotations
+
 import argparse
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -21,23 +24,29 @@ FIRST_SEED = 1_000_000
 
 
 class PlayedPolicy:
-    """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
+    """Policy loaded from its file, evaluated with NumPy for a batch of observations. ``options`` are those that it needs of the task."""
 
-    def __init__(self, text):
-        self.inputs, self.cycles, self.layers = [], 1, network.read(text)
+    def __init__(self, text: str) -> None:
+        self.inputs, self.layers = [], network.read(text)
+        self.options = {"cycles": 1}
         for line in text.splitlines():
             words = line.split(" ")
             if words[0] == "input":
                 self.inputs.append(words[1])
+                age = int(words[1].partition("@-")[2] or 0)
+                if age:
+                    self.options["history"] = max(age + 1, self.options.get("history", 1))
+            if words[0] == "output" and words[1].startswith("speed."):
+                self.options["speeds"] = 1
             if words[:2] == ["numbers", "cycles-per-action"]:
-                self.cycles = int(words[2])
+                self.options["cycles"] = int(words[2])
         self.reset()
 
-    def reset(self):
+    def reset(self) -> None:
         """Forgets all earlier observations, as at the start of an episode."""
         self.states = [None] * len(self.layers)
 
-    def act(self, observation):
+    def act(self, observation: np.ndarray) -> np.ndarray:
         """Returns a row of actions from -1 to 1 for each row of observations. A recurrent policy remembers each row's observations."""
         values = observation.astype(float)
         for i, layer in enumerate(self.layers):
@@ -58,12 +67,14 @@ class Result:
         return f"return {np.mean(self.returns):.3f} ± {error:.3f}, success {np.sum(self.successes)} of {len(self.successes)}"
 
 
-def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
+def evaluate(
+    task: str, policy: PlayedPolicy | None = None, episodes: int = 128, first_seed: int = FIRST_SEED, options: dict[str, Any] | None = None
+) -> Result:
     """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
-    The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it.
+    Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them.
     """
-    robots = Connection(task, episodes, "", {"cycles": policy.cycles if policy else 1, **(options or {})})
+    robots = Connection(task, episodes, "", {**(policy.options if policy else {}), **(options or {})})
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     indices = [names.index(name) for name in policy.inputs] if policy else []
@@ -86,6 +97,15 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
     return Result(returns, actions, successes)
 
 
+def compare(task, file=None, episodes=128, first_seed=FIRST_SEED, options=None):
+    """Prints the results of the policy in a file, if any, and of zero actions."""
+    policies = {"zero actions": None}
+    if file:
+        policies = {str(file): PlayedPolicy(Path(file).read_text(encoding="utf-8")), **policies}
+    for name, policy in policies.items():
+        print(f"{name}: {evaluate(task, policy, episodes, first_seed, options)}", flush=True)
+
+
 def main(words=None):
     """Runs the command line."""
     parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy and compares it with zero actions.")
@@ -95,11 +115,7 @@ def main(words=None):
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"seed of the first episode (default: {FIRST_SEED})")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2")
     wanted = parser.parse_args(words)
-    policies = {"zero actions": None}
-    if wanted.policy:
-        policies = {str(wanted.policy): PlayedPolicy(wanted.policy.read_text(encoding="utf-8")), **policies}
-    for name, policy in policies.items():
-        print(f"{name}: {evaluate(wanted.task, policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))}")
+    compare(wanted.task, wanted.policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))
 
 
 if __name__ == "__main__":

@@ -5,8 +5,12 @@
 >>> observations, infos = match.reset(seed=1)
 """
 
-import copy
+from __future__ import annotations
 
+import copy
+from typing import Any
+
+import gymnasium
 import numpy as np
 from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
@@ -24,7 +28,7 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
 
     metadata = {"name": "robonewbie_v1", "render_modes": RENDER_MODES, "render_fps": CYCLES_PER_SECOND, "is_parallelizable": True}
 
-    def __init__(self, task="Match1v1", render_mode=None, **options):
+    def __init__(self, task: str = "Match1v1", render_mode: str | None = None, **options: Any) -> None:
         observation, action = self._connect(task, 1, "", render_mode, options)
         self.possible_agents = list(self.description["robots"])
         self.agents = []
@@ -32,13 +36,15 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
         self.action_spaces = {agent: copy.deepcopy(action) for agent in self.possible_agents}
         self._random, _ = seeding.np_random()
 
-    def observation_space(self, agent):
+    def observation_space(self, agent: str) -> gymnasium.spaces.Box:
         return self.observation_spaces[agent]
 
-    def action_space(self, agent):
+    def action_space(self, agent: str) -> gymnasium.spaces.Box:
         return self.action_spaces[agent]
 
-    def reset(self, seed=None, options=None):
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         if seed is not None:
             self._random, _ = seeding.np_random(seed)
         # PettingZoo's API test passes an option that is called "options".
@@ -47,7 +53,9 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
         observation, _, _ = self._connection.act(RESET, int(self._random.integers(SEED_LIMIT)), 0)
         return self._each(observation), self._infos()
 
-    def step(self, actions):
+    def step(
+        self, actions: dict[str, np.ndarray]
+    ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         if not self.agents:
             raise RoboNewbieError("The match is over. Call reset().")
         missing = [agent for agent in self.agents if agent not in actions]
@@ -74,6 +82,6 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
         return self._each(self._connection.infos())
 
 
-def parallel_env(task="Match1v1", **keywords):
+def parallel_env(task: str = "Match1v1", **keywords: Any) -> RoboNewbieParallelEnv:
     """Creates a match, like the factory functions of PettingZoo's environments."""
     return RoboNewbieParallelEnv(task, **keywords)

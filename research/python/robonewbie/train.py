@@ -1,10 +1,11 @@
 """Trains a policy for a task by Stable-Baselines3's PPO, and writes it for use by Java agents.
 
-    python -m robonewbie.train Stand --total-timesteps 300000
-    python -m robonewbie.train Stand --total-timesteps 600000 --resume
+    python -m robonewbie.train KickTo
+    python -m robonewbie.train KickTo --total-timesteps 600000 --resume
     python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
-The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training
+Arguments that are omitted have the best known values for the task, which robonewbie/settings.py lists. At the end, the policy is
+evaluated in new episodes beside zero actions. The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training
 run can be interrupted at any time. The first layer of the policy normalises the observations.
 """
 
@@ -21,7 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
-from robonewbie import network
+from robonewbie import network, settings
 from robonewbie.network import Dense, Gru, LayerNorm
 
 # Stable-Baselines3 seeds environment i with the seed plus i, so neighbouring seeds would share most of their episodes.
@@ -42,7 +43,7 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     """Formats a policy for org.robonewbie.agent.policy.PolicyText. Layers come from :func:`torch_layers`; a tuple of weights, biases and
     activation, such as "tanh", is a fully connected layer. Packed weights take a fifth of the space, and are rounded.
 
-    If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
+    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle. If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
@@ -51,8 +52,8 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     if cycles > 1:
         lines.append(f"numbers cycles-per-action {cycles}")
     lines += [f"input {name} {unit}" for name, unit in inputs]
-    kind = "" if walk else "joint."
-    lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
+    angles = {name: (f"{'' if walk else 'joint.'}{name}", f"{range_degrees:g} degrees") for name in outputs if isinstance(name, str)}
+    lines += ["output {} {}".format(*angles.get(output, output)) for output in outputs]
     return "\n".join([*lines, *network.lines(layers, packed)]) + "\n"
 
 
@@ -129,7 +130,9 @@ def options_of(words):
 
 def _arguments(words):
     parser = argparse.ArgumentParser(
-        prog="python -m robonewbie.train", description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3."
+        prog="python -m robonewbie.train",
+        description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3. "
+        f"For {', '.join(settings.TASKS)}, the defaults are the best known values instead of those below.",
     )
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
     parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (default: 300000)")
@@ -149,7 +152,10 @@ def _arguments(words):
     parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
     parser.add_argument("--out", type=Path, help="file of the policy (default: TASK.policy)")
     parser.add_argument("--resume", action="store_true", help="resume an interrupted training run")
-    wanted = parser.parse_args(words)
+    parser.add_argument("--n-eval-episodes", type=int, default=128, help="episodes of the evaluation at the end; 0 for none (default: 128)")
+    task = parser.parse_args(words).task
+    known = settings.TASKS[task].words if task in settings.TASKS else []
+    wanted = parser.parse_args(words, parser.parse_args([task, *known]))
     wanted.options = options_of(wanted.option)
     wanted.cycles = int(wanted.options.get("cycles", 1))
     return wanted
@@ -181,6 +187,7 @@ class Training:
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
             self.model = PPO(TwoViewsPolicy, self.normalised, **self._settings())
             self._initialise_actor()
+        self.first_timestep = self.model.num_timesteps
 
     def _initialise_actor(self):
         """Sets the last layer to zero and the hidden biases to random values, because gSDE does not explore if all inputs are zero."""
@@ -233,15 +240,9 @@ class Training:
         wanted, described = self.wanted, self.task.description
         return policy_text(
             wanted.task,
-            [
-                f"learned by: python -m robonewbie.train {wanted.task} --total-timesteps {self.model.num_timesteps} --n-envs {wanted.n_envs} "
-                f"--n-steps {wanted.n_steps} --batch-size {wanted.batch_size} --n-epochs {wanted.n_epochs} --learning-rate {wanted.learning_rate:g} "
-                f"--gamma {wanted.gamma:g} --gae-lambda {wanted.gae_lambda:g} --log-std-init {wanted.log_std_init:g} "
-                f"--sde-sample-freq {wanted.sde_sample_freq} --net-arch {''.join(f'{neurons} ' for neurons in wanted.net_arch)}"
-                f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
-            ],
+            [f"learned by: {command_of(wanted, self.model.num_timesteps)}"],
             [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
-            described["action"],
+            [(output["name"], output["unit"]) for output in described["output"]],
             described["rangeDegrees"],
             layers_of(self.model, self.normalised, self.inputs),
             described["motion"],
@@ -262,7 +263,11 @@ class Training:
             reward = np.mean([episode["r"] for episode in episodes])
             cycles = np.mean([episode["l"] for episode in episodes]) * self.wanted.cycles
             lines.writerow([self.all_cycles, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
-            print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
+            print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles, {self._minutes_left():.0f} min left", flush=True)
+
+    def _minutes_left(self):
+        done = self.model.num_timesteps - self.first_timestep
+        return (time.monotonic() - self.began) / 60 * (self.wanted.total_timesteps - self.model.num_timesteps) / max(1, done)
 
     def run(self):
         """Trains until the total number of actions is reached."""
@@ -272,6 +277,17 @@ class Training:
             self.model.lr_schedule = lambda _, rate=rate: rate
             self.model.learn(wanted.n_envs * wanted.n_steps, reset_num_timesteps=False)
             self.save()
+
+
+def command_of(wanted, total_timesteps):
+    """Returns the command line with all arguments that determine a training run."""
+    return (
+        f"python -m robonewbie.train {wanted.task} --total-timesteps {total_timesteps} --n-envs {wanted.n_envs} "
+        f"--n-steps {wanted.n_steps} --batch-size {wanted.batch_size} --n-epochs {wanted.n_epochs} --learning-rate {wanted.learning_rate:g} "
+        f"--gamma {wanted.gamma:g} --gae-lambda {wanted.gae_lambda:g} --log-std-init {wanted.log_std_init:g} "
+        f"--sde-sample-freq {wanted.sde_sample_freq} --net-arch {''.join(f'{neurons} ' for neurons in wanted.net_arch)}"
+        f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
+    )
 
 
 def indices_of(description, inputs):
@@ -292,10 +308,15 @@ def main(words=None):
         sys.exit(f"A training run already exists in {model}. Resume it with --resume, or choose another file with --out.")
     if wanted.resume and not model.exists():
         sys.exit(f"There is nothing to resume: {model} does not exist. Omit --resume to start a new training run.")
+    print(command_of(wanted, wanted.total_timesteps), flush=True)
     training = Training(wanted)
     training.run()
     training.task.close()
     print(f"The policy was written to {training.out}.")
+    if wanted.n_eval_episodes > 0:
+        from robonewbie import evaluate
+
+        evaluate.compare(wanted.task, training.out, wanted.n_eval_episodes, options=wanted.options)
 
 
 if __name__ == "__main__":

@@ -67,6 +67,25 @@ class LeRobotTest(unittest.TestCase):
         np.testing.assert_allclose(stats["action"]["mean"], np.mean([row[1] for row in kept], axis=0), atol=1e-6)
         np.testing.assert_allclose(stats["action"]["std"], np.std([row[1] for row in kept], axis=0), atol=1e-6)
 
+    def test_episodes_of_the_same_actions_differ_in_what_is_drawn_from_the_seed(self):
+        drawn = {"friction": (0.5, 2), "mass": (0.9, 1.1), "x": (-4, 0), "heading": (-180, 180)}
+        env = RecordEpisodes(gymnasium.make("RoboNewbie/GetUp-v1", **drawn), self.folder / "falls")
+        places = []
+        for seed in (1, 2, 1):
+            _, info = env.reset(seed=seed)
+            places.append((info["x"], info["heading"]))
+            for _ in range(30):
+                env.step(np.zeros(20, dtype=np.float32))
+        env.close()
+
+        first, second, again = (np.stack(f) for _, f in pd.read_parquet(self.folder / "falls" / "data").groupby("episode_index")["observation.state"])
+        np.testing.assert_array_equal(first, again)
+        self.assertGreater(np.abs(first - second).max(), 1)
+        self.assertGreater(abs(places[0][0] - places[1][0]), 0.1)
+        for outside in ({"x": -14}, {"ball_y": (0, 5)}):
+            with self.assertRaisesRegex(robonewbie.RoboNewbieError, "is not between"):
+                gymnasium.make("RoboNewbie/GetUp-v1", **outside)
+
     @unittest.skipUnless(LeRobotDataset, "lerobot is not installed")
     def test_lerobot_reads_it(self):
         kept = self.rolled_out()

@@ -130,6 +130,21 @@ class EnvironmentTest(unittest.TestCase):
         self.assertIs(info["is_success"], False)
         env.close()
 
+    def test_start_place_and_heading_keep_the_posture(self):
+        for task in ("GetUp", "QuickGetUp", "KickTo"):
+            usual, moved = (robonewbie.RoboNewbieEnv(task, **options) for options in ({}, {"x": -3, "y": 1, "heading": 70}))
+            _, first = usual.reset(seed=1)
+            _, info = moved.reset(seed=1)
+            self.assertAlmostEqual(info["heading"], 70, delta=0.01)
+            self.assertAlmostEqual(info["x"], -3, delta=0.01)
+            for _ in range(10):
+                still = np.zeros(usual.action_space.shape)
+                first, info = usual.step(still)[-1], moved.step(still)[-1]
+            self.assertAlmostEqual(info["tilt"], first["tilt"], delta=0.1, msg=task)
+            self.assertAlmostEqual(info["height"], first["height"], delta=0.005, msg=task)
+            usual.close()
+            moved.close()
+
     def test_options_change_episodes_and_draw_from_ranges(self):
         env = gymnasium.make("RoboNewbie/Walk-v1", heading=(30, 60), ball_x=2)
         headings = [env.reset(seed=seed)[1]["heading"] for seed in range(5)]
@@ -407,6 +422,17 @@ def _with_height(space):
 
 
 class ProcessTest(unittest.TestCase):
+    def test_id_with_the_name_of_the_package_needs_no_import(self):
+        def made(name):
+            code = f"import gymnasium; print(gymnasium.make('{name}').unwrapped)"
+            return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+
+        self.assertIn("<RoboNewbieEnv", made("robonewbie:RoboNewbie/Reach-v1").stdout)
+        self.assertIn("NamespaceNotFound", made("RoboNewbie/Reach-v1").stderr)
+
+    def test_types_are_part_of_the_package(self):
+        self.assertTrue(Path(robonewbie.__file__).with_name("py.typed").exists())
+
     def test_processes_of_a_program_share_one_simulator(self):
         program = (
             "import multiprocessing, robonewbie\n"

@@ -1,7 +1,6 @@
 """Training by PPO and what it writes; the parts with Stable-Baselines3 are skipped where it is not installed."""
 
 import io
-import os
 import shutil
 import subprocess
 import sys
@@ -13,7 +12,7 @@ from unittest import mock
 
 import numpy as np
 
-from robonewbie import baselines, curve, evaluate, train
+from robonewbie import baselines, curve, evaluate, settings, simulator, train
 
 try:
     import torch
@@ -105,6 +104,16 @@ class TrainTest(unittest.TestCase):
             with self.assertRaisesRegex(SystemExit, f'The option "{wrong}" is neither'):
                 train.options_of([wrong])
 
+    def test_arguments_have_the_best_known_values_unless_given(self):
+        known = train._arguments(["KickTo"])
+        given = train._arguments(["KickTo", "--gamma", "0.9", "--net-arch", "8", "--option", "cycles=2", "--option", "friction=0.5..2"])
+        other = train._arguments(["Walk"])
+
+        self.assertEqual((known.n_envs, known.gamma, known.options, known.total_timesteps), (256, 1, {"cycles": 5}, 300_000))
+        self.assertEqual((given.n_envs, given.gamma, given.net_arch), (256, 0.9, [8]))
+        self.assertEqual(given.options, {"cycles": 2, "friction": (0.5, 2)})
+        self.assertEqual((other.n_envs, other.gamma, other.options), (64, 0.99, {}))
+
     def test_evaluation_is_the_same_each_time_and_other_episodes_are_others(self):
         first, again, others = (evaluate.evaluate("Stand", None, 3, seed, {"push": 60}) for seed in (5, 5, 50))
 
@@ -115,9 +124,9 @@ class TrainTest(unittest.TestCase):
 
     def test_what_ppo_has_learned_pays_more_than_doing_nothing_in_each_task(self):
         gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1}
-        for task, baseline in baselines.TASKS.items():
+        for task, known in settings.TASKS.items():
             with self.subTest(task):
-                options = train.options_of(baseline.options)
+                options = train.options_of(known.options)
                 policy = Path(__file__).parents[1] / "baselines" / f"{task}-1.policy"
                 learned = evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), 128, options=options)
                 nothing = evaluate.evaluate(task, None, 128, options=options)
@@ -141,10 +150,10 @@ class TrainTest(unittest.TestCase):
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_baseline_has_a_row_for_the_table(self):
-        short = baselines.Baseline(1024, "--n-steps 32 --batch-size 16 --net-arch 4 4", ("cycles=2", "push=60"))
-        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(baselines.TASKS, Stand=short), mock.patch.object(
+        short = settings.Settings(512, "--n-envs 4 --n-steps 32 --batch-size 16 --net-arch 4 4", ("cycles=2", "push=60"))
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(settings.TASKS, Stand=short), mock.patch.object(
             baselines, "EVALUATED", 4
-        ), mock.patch.object(baselines, "COMMON", ["--n-envs", "4"]), mock.patch("sys.stdout", io.StringIO()) as told:
+        ), mock.patch("sys.stdout", io.StringIO()) as told:
             baselines.main(["Stand", "--out", folder])
 
             self.assertTrue(Path(folder, "Stand.svg").exists())
@@ -156,8 +165,10 @@ class TrainTest(unittest.TestCase):
             out = Path(folder, "my.policy")
             with self.assertRaisesRegex(SystemExit, "There is nothing to resume"):
                 train.main(["Reach", "--out", str(out), "--resume"])
-            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--sde-sample-freq", "4", "--net-arch", "16", "16", "--out", str(out)]
-            train.main([*words, "--total-timesteps", "64"])
+            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--sde-sample-freq", "4", "--net-arch", "16", "16", "--n-eval-episodes", "4", "--out", str(out)]
+            with mock.patch("sys.stdout", io.StringIO()) as told:
+                train.main([*words, "--total-timesteps", "64"])
+            self.assertRegex(told.getvalue(), r"my.policy: return .*, success . of 4\nzero actions: return .*, success . of 4\n$")
             with self.assertRaisesRegex(SystemExit, r"A training run already exists in .*\. Resume it with --resume"):
                 train.main([*words, "--total-timesteps", "64"])
             train.main([*words, "--total-timesteps", "256", "--resume"])
@@ -227,7 +238,7 @@ class TrainTest(unittest.TestCase):
         examples = Path(__file__).parents[1] / "examples"
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.executable, str(examples / "imitate.py")], cwd=folder, check=True)
-            words = [os.environ.get("ROBONEWBIE", str(examples.parents[2] / "robonewbie")), "run", str(examples / "Imitator.java"), "--headless", "--fast", "--seconds", "3"]
+            words = [*simulator._command(), "run", str(examples / "Imitator.java"), "--headless", "--fast", "--seconds", "3"]
             told = subprocess.run(words, cwd=folder, check=True, capture_output=True, text=True).stdout
 
         angles = [[float(word) for word in line.split()[1:]] for line in told.splitlines() if line.startswith("Head")]
@@ -256,7 +267,7 @@ class TrainTest(unittest.TestCase):
     def test_goes_on_in_the_same_way_from_the_same_round(self):
         texts = []
         with tempfile.TemporaryDirectory() as folder:
-            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--net-arch", "4", "4", "--out"]
+            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--net-arch", "4", "4", "--n-eval-episodes", "0", "--out"]
             train.main([*words, str(Path(folder, "first.policy")), "--total-timesteps", "64"])
             for name in ("one", "two"):
                 for file in Path(folder).glob("first.*"):

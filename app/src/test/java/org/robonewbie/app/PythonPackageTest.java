@@ -17,9 +17,14 @@ class PythonPackageTest {
         Python python = new Python(Python.PACKAGE);
         python.skipWithout("gymnasium, numpy");
 
-        ProcessResult result = python.run("-m", "unittest", "discover", "-s", "tests");
+        ProcessResult result = python.run("-m", "unittest", "discover", "-v", "-s", "tests");
 
         assertThat(result.code()).as(result.printed()).isZero();
         assertThat(result.printed()).containsPattern("Ran \\d+ tests").contains("OK");
+        if (System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {
+            assertThat(result.printed().lines().filter(line -> line.contains(" skipped ")))
+                    .as("LeRobot is large, and the nightly workflow has it")
+                    .allMatch(line -> line.contains("lerobot is not installed"));
+        }
     }
 }

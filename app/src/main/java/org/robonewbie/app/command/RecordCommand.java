@@ -6,14 +6,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.robonewbie.agent.Options;
+import org.robonewbie.agent.StartUpException;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.Recording;
+import org.robonewbie.learning.dataset.RunVariation;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.process.WorkerPool;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -40,6 +48,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --out falls",
             "  robonewbie record MyAgent.java --runs 1000 --seconds 10 --runs-per-file 100",
             "  robonewbie record MyAgent.java --runs 5 --messages -- --pose -2,1,90",
+            "  robonewbie record MyAgent.java --runs 40 --option friction=0.7..1.3 --option push=20",
             "  robonewbie record MyTeam.java --robots 4           a program with four robots"
         })
 final class RecordCommand implements Callable<Integer> {
@@ -93,15 +102,36 @@ final class RecordCommand implements Callable<Integer> {
             description = "Number of robots that the program runs, 1 to 22 (default: 1).")
     private int robots = 1;
 
+    @Option(
+            names = "--spread",
+            paramLabel = "METRES,DEGREES",
+            split = ",",
+            description =
+                    "Maximum random offset of robots and ball at the start of each run, and maximum turn of a robot"
+                            + " (default: 0.2,10).")
+    private List<Double> spread = List.of(0.2, 10.0);
+
+    @Option(names = "--league", description = "Pitch and rules of the league (default: those for beginners).")
+    private boolean league;
+
+    @Option(
+            names = "--option",
+            paramLabel = "NAME=VALUE",
+            description = "friction or mass, a factor, or push, the newtons of the hardest push, with one per second: a"
+                    + " number, or a range LOW..HIGH from which each run draws.")
+    private List<String> options = List.of();
+
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
     @Override
     public Integer call() throws IOException {
         check();
+        RunVariation variation = variation();
+        checkPose(variation.parameters());
         String agent = agentAndOptions.get(0);
         new ProgramFinder(classPath.folders()).findRepeatedly(agent); // reports an invalid program before the recording
-        DataSet set = create();
+        DataSet set = create(variation);
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
                 .orElseThrow(() -> new CalledWronglyException("Another recording is using the folder " + folder
                         + ". Wait until it ends, or choose another folder with --out."));
@@ -112,7 +142,7 @@ final class RecordCommand implements Callable<Integer> {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are already complete and are kept.");
             }
-            new Recording(set, runs, robots, seconds, seed)
+            new Recording(set, runs, robots, seconds, seed, variation)
                     .run(threads, port -> workers.run(options(port)), System.out::println);
             return end(set);
         } finally {
@@ -182,14 +212,56 @@ final class RecordCommand implements Callable<Integer> {
         }
     }
 
-    private DataSet create() {
+    private RunVariation variation() {
+        if (spread.size() != 2) {
+            throw new CalledWronglyException("--spread needs two numbers, such as 0.2,10. Given: " + spread + ".");
+        }
+        try {
+            return RunVariation.of(league, spread.get(0), spread.get(1), options);
+        } catch (IllegalArgumentException wrong) {
+            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
+        }
+    }
+
+    /** Refuses a starting pose outside of the pitch. */
+    private void checkPose(SoccerParameters parameters) {
+        double x = parameters.field().length() / 2;
+        double y = parameters.field().width() / 2;
+        double most = parameters.isOn(SoccerParameter.START_ANY_FIELD_POSITION) ? x : 0;
+        pose().ifPresent(pose -> {
+            if (pose.x() < -x || pose.x() > most || Math.abs(pose.y()) > y) {
+                throw new CalledWronglyException(String.format(
+                        Locale.ROOT,
+                        "The starting pose (%s, %s) is outside of the pitch. Choose x from %s to %s m and y from %s to %s m.",
+                        pose.x(),
+                        pose.y(),
+                        -x,
+                        most,
+                        -y,
+                        y));
+            }
+        });
+    }
+
+    /** Returns the pose among the options of the agent, unless it has options of its own, which only the agent can read. */
+    private Optional<Pose2d> pose() {
+        try {
+            return Options.of(agentAndOptions.stream().skip(1).toArray(String[]::new))
+                    .pose();
+        } catch (StartUpException unknown) {
+            return Optional.empty();
+        }
+    }
+
+    private DataSet create(RunVariation variation) {
         Map<String, String> facts = new LinkedHashMap<>();
         facts.put("version", ProgramVersion.line());
         facts.put("agent", String.join(" ", agentAndOptions));
         facts.put("seconds", Double.toString(seconds));
         facts.put("first seed", Long.toString(seed));
         facts.put("robots", Integer.toString(robots));
-        facts.put("pitch", "beginner");
+        facts.put("pitch", variation.isLeague() ? "league" : "beginner");
+        facts.put("spread and options", variation.toString());
         try {
             return DataSet.create(folder, messages, facts);
         } catch (IllegalArgumentException occupied) {

@@ -7,6 +7,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,11 +65,63 @@ class RecordCommandTest {
                 .isEqualTo(rows.get(0).split(",").length);
     }
 
+    /** The agent stands still and does not look, so all that differs is drawn from the seeds. */
+    @Test
+    void runsStartInDifferentPlacesUnlessToldOtherwise() throws IOException {
+        Path spread = folder.resolve("spread");
+        Path equal = folder.resolve("equal");
+        List<String> drawn = List.of("true_torso_x", "true_torso_y", "true_heading", "true_ball_x", "true_ball_y");
+
+        record(spread, "--runs", "2");
+        record(equal, "--runs", "2", "--spread", "0,0");
+
+        assertThat(drawn).allSatisfy(column -> {
+            assertThat(lastOfRun(spread, 1, column)).isNotEqualTo(lastOfRun(spread, 2, column));
+            assertThat(lastOfRun(equal, 1, column)).isEqualTo(lastOfRun(equal, 2, column));
+        });
+        assertThat(lastOfRun(spread, 1, "true_ball_x")).isNotZero().isBetween(-0.2, 0.2);
+        assertThat(lastOfRun(spread, 1, "true_heading")).isBetween(-10.5, 10.5);
+    }
+
+    @Test
+    void massAndPushesAreDrawnFromTheSeed() throws IOException {
+        Path heavy = folder.resolve("heavy");
+        Path range = folder.resolve("range");
+        Path pushed = folder.resolve("pushed");
+
+        record(heavy, "--option", "mass=2");
+        record(range, "--runs", "2", "--option", "mass=0.8..1.2", "--option", "friction=0.5..2");
+        record(pushed, "--option", "push=300");
+
+        assertThat(weight(heavy, 1)).isCloseTo(2 * 4.6 * 9.81, within(4.0));
+        assertThat(weight(range, 1)).isBetween(0.75 * 45, 1.25 * 45).isNotCloseTo(weight(range, 2), within(0.1));
+        assertThat(lastOfRun(pushed, 1, "true_tilt")).isGreaterThan(20);
+        assertThat(Files.readString(range.resolve("dataset.json"))).contains("friction=0.5..2.0 mass=0.8..1.2");
+    }
+
+    @Test
+    void startsOutsideOfThePitchAreRefused() {
+        Path out = folder.resolve("set");
+
+        assertThat(record(out, "--", "--pose", "-14,0,0").err())
+                .contains("The starting pose (-14.0, 0.0) is outside of the pitch. Choose x from -6.0 to 6.0 m");
+        assertThat(record(out, "--league", "--", "--pose", "3,0,0").err()).contains("Choose x from -15.0 to 0.0 m");
+        assertThat(record(out, "--option", "frction=2").err()).contains("Did you mean friction?");
+        assertThat(record(out, "--option", "reward=2").err()).contains("no option \"reward\"");
+        assertThat(record(out, "--spread", "1").err()).contains("--spread needs two numbers");
+        assertThat(record(out, "--spread", "-1,0").err()).contains("Choose at most 10.0 m");
+        assertThat(out).doesNotExist();
+        assertThat(record(out, "--league", "--", "--pose", "-14,0,0").exitCode())
+                .isZero();
+        assertThat(lastOfRun(out, 1, "true_torso_x")).isBetween(-14.3, -13.7);
+    }
+
     @Tag("slow")
     @Test
     void sameSeedGivesTheSameTables() throws IOException {
-        record(folder.resolve("one"), "--runs", "3", "--threads", "1");
-        record(folder.resolve("two"), "--runs", "3", "--threads", "3");
+        String[] drawn = {"--runs", "3", "--option", "friction=0.5..2", "--option", "push=60", "--threads"};
+        record(folder.resolve("one"), with(drawn, Path.of("1")));
+        record(folder.resolve("two"), with(drawn, Path.of("3")));
 
         assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
     }
@@ -363,6 +416,19 @@ class RecordCommandTest {
             }
         }
         return all;
+    }
+
+    private static double weight(Path set, int run) {
+        return lastOfRun(set, run, "left_foot_force_up") + lastOfRun(set, run, "right_foot_force_up");
+    }
+
+    private static double lastOfRun(Path set, int run, String column) {
+        try {
+            List<String> rows = Files.readAllLines(set.resolve("cycles/run-0000" + run + ".csv"));
+            return Double.parseDouble(cell(rows, column));
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
     }
 
     /** A cell of the last row; texts with commas stand at the end only. */

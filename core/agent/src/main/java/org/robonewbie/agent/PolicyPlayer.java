@@ -1,9 +1,13 @@
 package org.robonewbie.agent;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.Deque;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import org.robonewbie.agent.policy.InferenceSession;
@@ -16,7 +20,7 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * Plays a policy that was trained by {@code robonewbie learn} or the Python package, using only the robot's sensors.
- * The network's outputs are joint offsets, which are added to the posture in which the policy started, or to the motion
+ * The network's outputs are joint speeds, or joint offsets, which are added to the posture in which the policy started, or to the motion
  * that the policy contains. Each action is held for as many cycles as in training.
  *
  * <pre>{@code
@@ -37,9 +41,17 @@ public final class PolicyPlayer {
     private static final String COMMAND = "command.";
     private static final String RANGE = "range-degrees";
 
+    /** An input of the network: a reading at the time of the action, or of an earlier action. */
+    private record Input(ToDoubleFunction<Robot> reading, int age) {}
+
+    /** An output of the network: the speed of a joint, or an offset of its angle. */
+    private record Output(Joint joint, boolean isSpeed) {}
+
     private final InferenceSession session;
-    private final List<ToDoubleFunction<Robot>> inputs;
-    private final List<Joint> joints;
+    private final List<Input> inputs;
+    private final List<Output> outputs;
+    private final int oldest;
+    private final Deque<double[]> readings = new ArrayDeque<>();
     private final double rangeDegrees;
     private final int cyclesPerAction;
     private final Optional<Motion> motion;
@@ -63,8 +75,11 @@ public final class PolicyPlayer {
                 .map(numbers -> MotionGuide.motion(
                         policy.task(),
                         numbers.stream().mapToDouble(Double::doubleValue).toArray()));
-        inputs = policy.inputs().stream().map(this::reading).toList();
-        joints = policy.outputs().stream().map(PolicyPlayer::joint).toList();
+        inputs = policy.inputs().stream()
+                .map(input -> new Input(reading(input.current()), input.age()))
+                .toList();
+        outputs = policy.outputs().stream().map(PolicyPlayer::output).toList();
+        oldest = inputs.stream().mapToInt(Input::age).max().orElse(0);
         rangeDegrees = policy.numbers(RANGE, 1)[0];
         cyclesPerAction = policy.cyclesPerAction();
     }
@@ -82,9 +97,10 @@ public final class PolicyPlayer {
         return SensedQuantity.of(input).reading();
     }
 
-    private static Joint joint(Quantity output) {
+    private static Output output(Quantity output) {
         return Arrays.stream(Joint.values())
-                .filter(joint -> output.name().equals(JOINT + joint))
+                .filter(joint -> output.name().equals(JOINT + joint) || output.equals(Quantity.speedOf(joint)))
+                .map(joint -> new Output(joint, output.equals(Quantity.speedOf(joint))))
                 .findAny()
                 .orElseThrow(() -> new IllegalArgumentException("The policy moves " + output.name()
                         + ", which is not a joint. Outputs are named like joint.LEFT_KNEE_PITCH."));
@@ -125,26 +141,46 @@ public final class PolicyPlayer {
             first = posture(robot);
             guide = motion.map(one -> new MotionGuide(one, first));
             session.reset();
+            readings.clear();
             acting = true;
             cycles = 0;
         }
         if (cycles % cyclesPerAction == 0) {
             guide.ifPresent(one -> progress = one.progress(cycles));
-            action = session.apply(inputs.stream()
-                    .mapToDouble(input -> input.applyAsDouble(robot))
-                    .toArray());
+            action = session.apply(sense(robot));
         }
         move(robot, action);
         cycles++;
     }
 
+    /** Reads all inputs. Before the first action, everything is as at the first action. */
+    private double[] sense(Robot robot) {
+        readings.addFirst(inputs.stream()
+                .mapToDouble(input -> input.reading().applyAsDouble(robot))
+                .toArray());
+        List<double[]> rows = List.copyOf(readings);
+        double[] values = new double[inputs.size()];
+        Arrays.setAll(values, i -> rows.get(Math.min(inputs.get(i).age(), rows.size() - 1))[i]);
+        if (rows.size() > oldest) {
+            readings.removeLast();
+        }
+        return values;
+    }
+
     private void move(Robot robot, double... wanted) {
         double[] degrees =
                 guide.map(one -> one.posture(cycles + 1)).orElse(first).toArray();
+        Set<Joint> joints = guide.isPresent() ? EnumSet.allOf(Joint.class) : EnumSet.noneOf(Joint.class);
         for (int i = 0; i < wanted.length; i++) {
-            degrees[joints.get(i).ordinal()] += rangeDegrees * wanted[i];
+            Joint joint = outputs.get(i).joint();
+            if (outputs.get(i).isSpeed()) {
+                robot.setJointSpeed(joint, wanted[i] * joint.maxDegreesPerSecond());
+            } else {
+                degrees[joint.ordinal()] += rangeDegrees * wanted[i];
+                joints.add(joint);
+            }
         }
-        for (Joint joint : guide.isPresent() ? List.of(Joint.values()) : joints) {
+        for (Joint joint : joints) {
             robot.setJointAngle(joint, joint.clampDegrees(degrees[joint.ordinal()]));
         }
     }

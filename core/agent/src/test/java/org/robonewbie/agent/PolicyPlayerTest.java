@@ -15,7 +15,12 @@ import org.robonewbie.agent.policy.Quantity;
 class PolicyPlayerTest {
 
     @ParameterizedTest
-    @CsvSource({"joint.LEFT_KNEE_PITCH, degrees", "gyro.forward, degrees/s", "rightFoot.force.up, N"})
+    @CsvSource({
+        "joint.LEFT_KNEE_PITCH, degrees",
+        "gyro.forward, degrees/s",
+        "rightFoot.force.up, N",
+        "gyro.up@-3, degrees/s"
+    })
     void takesWhatARobotFeels(String input, String unit) {
         assertThatCode(() -> player(input, unit, "joint.LEFT_KNEE_PITCH")).doesNotThrowAnyException();
     }

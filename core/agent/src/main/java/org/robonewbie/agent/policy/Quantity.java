@@ -1,10 +1,49 @@
 package org.robonewbie.agent.policy;
 
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+
 /**
  * An input or output of a policy.
  *
- * @param name name of the quantity, such as {@code gyro.forward}
+ * @param name name of the quantity, such as {@code gyro.forward}, or {@code gyro.forward@-2} for its value two actions ago
  * @param unit unit of measurement, such as {@code degrees/s}, optionally with a factor, as in {@code 10 degrees}; {@code 1} if
  *     dimensionless
  */
-public record Quantity(String name, String unit) {}
+public record Quantity(String name, String unit) {
+
+    private static final String AGO = "@-";
+
+    /**
+     * Returns the output that is the speed of a joint.
+     *
+     * @param joint the joint
+     * @return the output; its unit is the joint's highest speed
+     */
+    public static Quantity speedOf(Joint joint) {
+        return new Quantity(
+                "speed." + joint, String.format(Locale.ROOT, "%.2f degrees/s", joint.maxDegreesPerSecond()));
+    }
+
+    /**
+     * Returns the same quantity at the time of an earlier action.
+     *
+     * @param actions number of actions since then, at least 1
+     * @return the earlier value
+     */
+    public Quantity ago(int actions) {
+        return new Quantity(name + AGO + actions, unit);
+    }
+
+    /** {@return the number of actions since the time of this quantity; 0 for a current one} */
+    public int age() {
+        int at = name.indexOf(AGO);
+        return at < 0 ? 0 : Integer.parseInt(name.substring(at + AGO.length()));
+    }
+
+    /** {@return the same quantity at the time of the current action} */
+    public Quantity current() {
+        int at = name.indexOf(AGO);
+        return at < 0 ? this : new Quantity(name.substring(0, at), unit);
+    }
+}

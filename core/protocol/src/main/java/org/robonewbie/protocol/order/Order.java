@@ -159,6 +159,14 @@ public sealed interface Order {
      */
     record PushRobot(PlayerNumber player, Vector3 newtons) implements Order {}
 
+    /**
+     * Scales the friction of all surfaces and the masses of the robots that are in the world.
+     *
+     * @param friction multiple of SimSpark's friction, above 0
+     * @param mass multiple of the mass of each robot's type, above 0
+     */
+    record SetProperties(double friction, double mass) implements Order {}
+
     /** Pauses the simulation. Agents receive no messages until it resumes. */
     record Pause() implements Clock {}
 

@@ -55,6 +55,9 @@ public final class TrainerOrders {
             fullState.run();
         } else if (order instanceof Order.MoveBall move) {
             move(cycle.world().ball(), move);
+        } else if (order instanceof Order.SetProperties set) {
+            cycle.world().setGrip(set.friction());
+            cycle.world().robots().forEach(robot -> robot.setMassFactor(set.mass()));
         } else {
             judge(order);
             select(order);

@@ -356,13 +356,25 @@ public final class Robot {
      * @param yawDegrees rotation about the vertical axis: 0 faces along the world's y axis, -90 along its x axis
      */
     public void moveUpright(Vector3 position, double yawDegrees) {
-        BodyPose torso = torso();
-        Vector3 target = WorldLimits.position(position);
         double yaw = Double.isFinite(yawDegrees) ? PortableMath.toRadians(yawDegrees) : 0;
-        RotationMatrix rotation =
-                RotationMatrix.aboutZ(yaw).after(torso.rotation().inverse());
+        move(position, RotationMatrix.aboutZ(yaw).after(torso().rotation().inverse()));
+    }
+
+    /**
+     * Translates the robot, turns it about the vertical axis through its torso, and stops all motion. Does not wake it.
+     *
+     * @param position new position of the torso in the world frame, metres
+     * @param degrees angle of the turn, counter-clockwise
+     */
+    public void moveAndTurn(Vector3 position, double degrees) {
+        move(position, RotationMatrix.aboutZ(PortableMath.toRadians(degrees)));
+    }
+
+    private void move(Vector3 position, RotationMatrix rotation) {
+        Vector3 target = WorldLimits.position(position);
+        Vector3 torso = torso().position();
         for (RigidBody body : bodies) {
-            Vector3 fromTorso = body.position().minus(torso.position());
+            Vector3 fromTorso = body.position().minus(torso);
             body.setPosition(target.plus(rotation.apply(fromTorso)));
             body.setRotation(rotation.after(body.rotation()));
             stop(body);

@@ -11,7 +11,6 @@ import java.util.stream.IntStream;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.trial.batch.BatchProgress;
@@ -27,8 +26,9 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param robots the number of robots that the program connects
  * @param seconds simulated length of each run
  * @param firstSeed seed of the first run; the seed increases by one for each subsequent run
+ * @param variation what differs between the runs
  */
-public record Recording(DataSet set, int runs, int robots, double seconds, long firstSeed) {
+public record Recording(DataSet set, int runs, int robots, double seconds, long firstSeed, RunVariation variation) {
 
     private static final long MAX_START_SECONDS = 20;
 
@@ -94,6 +94,7 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
             boolean began;
             boolean over;
             try (Simulator simulator = Simulator.start(settings(seed), Console.silent())) {
+                variation.applyTo(simulator.control(), seed);
                 simulator.control().addObserver(tables);
                 failure = play(simulator, program);
                 began = simulator.cycles() > 0;
@@ -138,7 +139,7 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     }
 
     private SimulatorSettings settings(long seed) {
-        return SimulatorSettings.of(WorldSettings.beginner().withSeed(seed))
+        return SimulatorSettings.of(variation.settings(seed))
                 .withAgentPort(0)
                 .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
                 .withAwaitedAgents(robots)

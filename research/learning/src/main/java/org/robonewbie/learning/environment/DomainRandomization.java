@@ -2,14 +2,19 @@ package org.robonewbie.learning.environment;
 
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
@@ -29,6 +34,8 @@ public final class DomainRandomization {
     private static final String RANGE = "..";
     private static final double MAX = 1e6;
 
+    private static final SoccerField PITCH = SoccerParameters.beginner().field();
+
     /** Largest commanded speed, in metres per second. */
     static final double MAX_SPEED = 3;
 
@@ -39,11 +46,11 @@ public final class DomainRandomization {
     static final double MAX_DISTANCE = 8;
 
     enum Name {
-        X("start position of the robot, metres"),
-        Y(X.meaning),
+        X("start position of the robot, metres, on the pitch", -PITCH.length() / 2, PITCH.length() / 2),
+        Y(X.meaning, -PITCH.width() / 2, PITCH.width() / 2),
         HEADING("start heading of the robot, degrees (0: towards the right goal)"),
-        BALL_X("start position of the ball, metres"),
-        BALL_Y(BALL_X.meaning),
+        BALL_X("start position of the ball, metres, on the pitch", X.min, X.max),
+        BALL_Y(BALL_X.meaning, Y.min, Y.max),
         PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
         DELAY("additional cycles until an action reaches the motors", 0, 1000, true),
         CYCLES("cycles per action (1); their rewards are added", 1, 1000, true),
@@ -72,7 +79,12 @@ public final class DomainRandomization {
         COM_FORWARD("displacement of the torso's weight from its centre, metres", -0.2, 0.2),
         COM_LEFT(COM_FORWARD.meaning, -0.2, 0.2),
         JITTER("largest additional delay of an action in cycles, drawn for each cycle", 0, 1000, true),
+        HISTORY("observations that make up one: the current one and those of the actions before (1)", 1, 100, true),
+        SPEEDS("1: actions are joint speeds, as fractions of the highest speed, instead of angles", 0, 1, true),
         TRUE_STATE("1: answers also contain trueState", 0, 1, true);
+
+        /** The options that determine the spaces, and cannot be changed later. */
+        private static final Set<Name> OF_SPACES = EnumSet.of(HISTORY, SPEEDS, TRUE_STATE);
 
         private final String meaning;
         private final double min;
@@ -137,7 +149,7 @@ public final class DomainRandomization {
                 throw new IllegalArgumentException(
                         "The option " + name.word() + "=" + text + " is not a whole number. Use one, such as 2.");
             }
-            if ((name == Name.CYCLES || name == Name.TRUE_STATE) && low != high) {
+            if ((name == Name.CYCLES || Name.OF_SPACES.contains(name)) && low != high) {
                 throw new IllegalArgumentException("The option " + name.word() + "=" + text
                         + " is a range, but all actions and episodes have the same. Use a single number.");
             }
@@ -151,12 +163,33 @@ public final class DomainRandomization {
         double draw(RandomSource random) {
             return low == high ? low : random.between(low, high);
         }
+
+        @Override
+        public String toString() {
+            return low == high ? Double.toString(low) : low + RANGE + high;
+        }
     }
 
     private final Map<Name, Range> ranges;
 
     private DomainRandomization(Map<Name, Range> ranges) {
         this.ranges = ranges;
+    }
+
+    /**
+     * Parses options.
+     *
+     * @param assignments the options, each {@code NAME=VALUE} or {@code NAME=LOW..HIGH}
+     * @return the options
+     * @throws IllegalArgumentException if an option does not exist or its value is invalid
+     */
+    public static DomainRandomization of(List<String> assignments) {
+        DomainRandomization all = NONE;
+        for (String assignment : assignments) {
+            String[] parts = assignment.split("=", 2);
+            all = all.with(parts[0], parts[parts.length - 1]);
+        }
+        return all;
     }
 
     /**
@@ -179,6 +212,31 @@ public final class DomainRandomization {
      */
     public DomainRandomization withDefaultCycles(int cycles) {
         return ranges.containsKey(Name.CYCLES) ? this : with(Name.CYCLES.word(), Integer.toString(cycles));
+    }
+
+    /**
+     * Returns the value of an option that has been {@link #draw drawn}.
+     *
+     * @param word the name of the option
+     * @param defaultValue the value of an option that is not set
+     * @return the value
+     */
+    public double value(String word, double defaultValue) {
+        return of(Name.of(word), defaultValue);
+    }
+
+    /**
+     * Checks that other options have the same observations, actions and true state.
+     *
+     * @throws IllegalArgumentException if not; the message contains the option that differs
+     */
+    void requireSameSpaces(DomainRandomization other) {
+        for (Name name : Name.OF_SPACES) {
+            if (of(name, name.min) != other.of(name, name.min)) {
+                throw new IllegalArgumentException("The option " + name.word()
+                        + " cannot be changed later. Pass it when the environment is made.");
+            }
+        }
     }
 
     /** Returns the range of an option; empty if the option is not set. */
@@ -207,6 +265,14 @@ public final class DomainRandomization {
         return new DomainRandomization(drawn);
     }
 
+    /** {@return the options as in a command line, such as {@code friction=0.5..2.0 mass=0.9}} */
+    @Override
+    public String toString() {
+        return ranges.entrySet().stream()
+                .map(set -> set.getKey().word() + "=" + set.getValue())
+                .collect(Collectors.joining(" "));
+    }
+
     private boolean isAnySet(Name... names) {
         return Arrays.stream(names).anyMatch(ranges::containsKey);
     }
@@ -221,7 +287,7 @@ public final class DomainRandomization {
                     of(Name.X, pose.x()),
                     of(Name.Y, pose.y()),
                     now.robot().position().z());
-            trial.robot(0).moveUpright(torso, of(Name.HEADING, pose.degrees()) - 90);
+            trial.robot(0).moveAndTurn(torso, of(Name.HEADING, pose.degrees()) - pose.degrees());
         }
         if (isAnySet(Name.BALL_X, Name.BALL_Y)) {
             Vector3 ball = now.ball();

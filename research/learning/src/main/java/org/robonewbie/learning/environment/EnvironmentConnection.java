@@ -163,6 +163,7 @@ final class EnvironmentConnection {
         all.add("walk", GSON.toJsonTree(task.walk().map(Policy::numbers).orElse(Map.of())));
         all.add("observation", GSON.toJsonTree(environment.quantities()));
         all.add("action", GSON.toJsonTree(actions));
+        all.add("output", GSON.toJsonTree(task.outputs()));
         all.add("truth", GSON.toJsonTree(PrivilegedState.NAMES));
         all.add("trueState", GSON.toJsonTree(environment.hasTrueState() ? TrueState.QUANTITIES : List.of()));
         all.add("robots", GSON.toJsonTree(environment.names()));

@@ -84,13 +84,8 @@ public record EnvironmentSpec(String task, List<String> options) {
      * @throws IllegalArgumentException if an option does not exist or its value is invalid
      */
     public DomainRandomization randomization() {
-        return options.stream()
-                .filter(option -> !option.startsWith(REWARD))
-                .map(option -> option.split("=", 2))
-                .reduce(
-                        DomainRandomization.NONE,
-                        (ranges, part) -> ranges.with(part[0], part[part.length - 1]),
-                        (a, b) -> b);
+        return DomainRandomization.of(
+                options.stream().filter(option -> !option.startsWith(REWARD)).toList());
     }
 
     /**

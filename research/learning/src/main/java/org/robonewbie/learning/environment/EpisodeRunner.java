@@ -1,10 +1,14 @@
 package org.robonewbie.learning.environment;
 
+import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.walk.PolicyWalk;
@@ -48,6 +52,8 @@ final class EpisodeRunner implements Controller {
     private int cycles;
     private ActionLatency latency = new ActionLatency(0, 0, new Random(0));
     private double[] action = {};
+    private int history = 1;
+    private final Deque<double[]> past = new ArrayDeque<>();
     private double value;
     private double reward;
 
@@ -65,7 +71,30 @@ final class EpisodeRunner implements Controller {
         return task;
     }
 
+    /** Sets the options of all episodes. Call before the scene is created. */
+    void configure(DomainRandomization options) {
+        history = (int) options.of(Name.HISTORY, 1);
+        task.setSpeeds(options.of(Name.SPEEDS, 0) > 0);
+        if (task.walk().isPresent() && history > 1) {
+            throw new IllegalArgumentException(
+                    "The observation of this task is that of the walk engine. Omit the option history.");
+        }
+        if (task.hasSpeeds() && (task.walk().isPresent() || task.motion().isPresent())) {
+            throw new IllegalArgumentException(
+                    "An action of this task corrects a walk or a motion. Omit the option speeds.");
+        }
+        task.configure(options);
+    }
+
     List<ObservedQuantity> quantities() {
+        List<ObservedQuantity> current = currentQuantities();
+        return IntStream.range(0, history)
+                .boxed()
+                .flatMap(age -> current.stream().map(quantity -> quantity.ago(age)))
+                .toList();
+    }
+
+    private List<ObservedQuantity> currentQuantities() {
         if (task.walk().isPresent()) {
             return WalkGuide.QUANTITIES;
         }
@@ -103,8 +132,14 @@ final class EpisodeRunner implements Controller {
         action = latency.send(newAction);
     }
 
-    /** Sets the reward to 0 before an action. */
-    void beginReward() {
+    /** Keeps the observation and sets the reward to 0 before an action. */
+    void beginAction() {
+        if (history > 1) {
+            past.addFirst(row());
+            if (past.size() == history) {
+                past.removeLast();
+            }
+        }
         reward = 0;
     }
 
@@ -126,12 +161,28 @@ final class EpisodeRunner implements Controller {
 
     /** Returns the current observation, clamped to the ranges of the quantities. */
     double[] observation(List<ObservedQuantity> quantities) {
-        double[] all = walk.map(WalkGuide::inputs)
+        double[] now = row();
+        double[] all = history > 1 ? withHistory(now) : now;
+        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
+        return all;
+    }
+
+    private double[] withHistory(double... now) {
+        List<double[]> rows = new ArrayList<>(past);
+        rows.add(0, now);
+        double[] all = new double[history * now.length];
+        for (int age = 0; age < history; age++) {
+            double[] row = rows.get(Math.min(age, rows.size() - 1));
+            System.arraycopy(row, 0, all, age * now.length, now.length);
+        }
+        return all;
+    }
+
+    private double[] row() {
+        return walk.map(WalkGuide::inputs)
                 .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())
                         .flatMapToDouble(DoubleStream::of)
                         .toArray());
-        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
-        return all;
     }
 
     private double[] motionProgress() {
@@ -165,6 +216,13 @@ final class EpisodeRunner implements Controller {
 
     private void move(double... parts) {
         cycles++;
+        if (task.hasSpeeds()) {
+            for (int i = 0; i < parts.length; i++) {
+                Joint joint = task.joints().get(i);
+                motors.setSpeed(joint, parts[i] * joint.maxDegreesPerSecond());
+            }
+            return;
+        }
         double[] degrees =
                 guide.map(one -> one.posture(cycles)).orElse(firstPosture).toArray();
         for (int i = 0; i < parts.length; i++) {

@@ -2,6 +2,7 @@ package org.robonewbie.learning.environment;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.robonewbie.agent.policy.Quantity;
 
 /**
  * One component of an observation. The JSON in docs/gym-protocol.md uses the names of these record components.
@@ -29,6 +30,13 @@ public record ObservedQuantity(String name, String unit, double least, double gr
 
     static ObservedQuantity symmetric(String name, String unit, double max) {
         return new ObservedQuantity(name, unit, -max, max);
+    }
+
+    /** Returns the same quantity in the observation of an earlier action: {@code gyro.left@-1} is one action old. */
+    ObservedQuantity ago(int actions) {
+        return actions == 0
+                ? this
+                : new ObservedQuantity(new Quantity(name, unit).ago(actions).name(), unit, least, greatest);
     }
 
     /** Returns a copy whose range is extended at both ends by a fraction of its length. */

@@ -53,7 +53,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     private List<EpisodeRunner> newRunners(Optional<Policy> policy) {
         List<EpisodeRunner> all = episodes.get();
         all.forEach(runner -> {
-            runner.task().configure(options);
+            runner.configure(options);
             policy.ifPresent(runner.task()::setPolicy);
         });
         return all;
@@ -139,10 +139,7 @@ public final class TrainingEnvironment implements AutoCloseable {
      * @param newOptions the options
      */
     public void setOptions(DomainRandomization newOptions) {
-        if (newOptions.of(Name.TRUE_STATE, 0) != options.of(Name.TRUE_STATE, 0)) {
-            throw new IllegalArgumentException(
-                    "The option true_state cannot be changed later. Pass it when the environment is made.");
-        }
+        options.requireSameSpaces(newOptions);
         options = newOptions;
     }
 
@@ -171,7 +168,7 @@ public final class TrainingEnvironment implements AutoCloseable {
 
     /** Applies one action for each learning robot. */
     void act(double[]... actions) {
-        runners.forEach(EpisodeRunner::beginReward);
+        runners.forEach(EpisodeRunner::beginAction);
         int run = 0;
         do {
             runCycle(actions);

@@ -32,7 +32,7 @@ import org.robonewbie.trial.measure.Pushes;
  * for a step is the increase in the value. A fall terminates the episode.
  *
  * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the initial posture,
- * in units of {@link #rangeDegrees}. Subclasses override the defaults as needed; a custom task must have a public no-arg constructor.
+ * in units of {@link #rangeDegrees}, or with the option {@code speeds} the joint's speed. Subclasses override the defaults as needed; a custom task must have a public no-arg constructor.
  *
  * <pre>{@code
  * public final class Squat extends TrainingTask {
@@ -56,6 +56,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
 
     private RandomSource random = new RandomSource(0);
     private int robot;
+    private boolean speeds;
 
     /** Creates a task for one episode. */
     protected TrainingTask() {}
@@ -121,6 +122,15 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         robot = index;
     }
 
+    final void setSpeeds(boolean areActions) {
+        speeds = areActions;
+    }
+
+    /** Returns whether actions are joint speeds instead of angles. */
+    final boolean hasSpeeds() {
+        return speeds;
+    }
+
     @Override
     protected final BodyState watched(WorldState state) {
         return state.robots().get(robot);
@@ -153,7 +163,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return walk().isPresent()
                 ? ResidualPolicy.OUTPUTS
                 : joints().stream()
-                        .map(joint -> new Quantity("joint." + joint, unit))
+                        .map(joint -> speeds ? Quantity.speedOf(joint) : new Quantity("joint." + joint, unit))
                         .toList();
     }
 

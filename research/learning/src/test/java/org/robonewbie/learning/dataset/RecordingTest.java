@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 class RecordingTest {
 
+    private static final RunVariation NONE = RunVariation.of(false, 0, 0, List.of());
+
     @TempDir
     private Path folder;
 
@@ -22,7 +24,7 @@ class RecordingTest {
     void programWithoutRobotsFailsItsRun() throws IOException {
         DataSet set = DataSet.create(folder, false, Map.of());
 
-        new Recording(set, 1, 2, 1, 7).run(1, port -> Optional.of(""), lines::add);
+        new Recording(set, 1, 2, 1, 7, NONE).run(1, port -> Optional.of(""), lines::add);
 
         assertThat(lines)
                 .containsExactly("run 1/1, seed 7: failed and is left out. The program did not connect 2 robots."
@@ -35,7 +37,7 @@ class RecordingTest {
     void runThatTheUserHasEndedIsNotInTheTable() throws IOException {
         DataSet set = DataSet.create(folder, false, Map.of());
 
-        new Recording(set, 1, 1, 1, 7).run(1, port -> Optional.empty(), lines::add);
+        new Recording(set, 1, 1, 1, 7, NONE).run(1, port -> Optional.empty(), lines::add);
 
         assertThat(lines).isEmpty();
         assertThat(set.failures()).isEmpty();
