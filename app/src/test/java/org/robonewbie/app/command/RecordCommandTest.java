@@ -96,7 +96,11 @@ class RecordCommandTest {
         assertThat(weight(heavy, 1)).isCloseTo(2 * 4.6 * 9.81, within(4.0));
         assertThat(weight(range, 1)).isBetween(0.75 * 45, 1.25 * 45).isNotCloseTo(weight(range, 2), within(0.1));
         assertThat(lastOfRun(pushed, 1, "true_tilt")).isGreaterThan(20);
-        assertThat(Files.readString(range.resolve("dataset.json"))).contains("friction=0.5..2.0 mass=0.8..1.2");
+        assertThat(JsonParser.parseString(Files.readString(range.resolve("dataset.json")))
+                        .getAsJsonObject()
+                        .get("spread and options")
+                        .getAsString())
+                .isEqualTo("0.2 m, 10.0 degrees friction=0.5..2.0 mass=0.8..1.2");
     }
 
     @Test
