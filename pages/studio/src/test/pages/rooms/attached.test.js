@@ -31,6 +31,9 @@ slow('a server is seen through its monitor port, and its clock is left alone', a
 
   await visit('replay/game');
   await cannotUse(user, 'button', 'Start here');
+
+  await visit('robot');
+  await user.sees(/Accelerometer\s+–\s+Gyroscope\s+–\s+Left foot\s+–\s+Right foot\s+–/); // a monitor does not know what robots sense
 });
 
 slow('a server without exercises does not offer them', async (t) => {

@@ -25,8 +25,8 @@ export function sensesPanel(place) {
   return (senses, said, model) => {
     setText(values.Accelerometer, vector(senses.acceleration, 1, 'm/s²'));
     setText(values.Gyroscope, vector(senses.gyro, 0, '°/s'));
-    setText(values['Left foot'], foot(senses.feet.lf));
-    setText(values['Right foot'], foot(senses.feet.rf));
+    setText(values['Left foot'], foot(senses.feet.lf, senses.now));
+    setText(values['Right foot'], foot(senses.feet.rf, senses.now));
     keepText(values.Hears, senses.heard.map(({ from, text }) => `“${text}” from ${from}`).join(', '));
     keepText(values.Says, said.map((text) => `“${text}”`).join(', '));
     setText(values.Game, game(senses.game));
@@ -46,8 +46,14 @@ function vector(numbers, digits, unit) {
     : '–';
 }
 
-/** @param {import('../state/robot/senses.js').FootForce | undefined} force */
-function foot(force) {
+/**
+ * @param {import('../state/robot/senses.js').FootForce | undefined} force
+ * @param {number | undefined} now time of the message; undefined if there is none
+ */
+function foot(force, now) {
+  if (now === undefined) {
+    return '–';
+  }
   return force
     ? `${fixed(Math.hypot(...force.force), 0)} N, forward ${fixed(force.contact[0] * 1000, 0)}, left ${fixed(force.contact[1] * 1000, 0)} mm`
     : 'no contact';
