@@ -71,7 +71,7 @@ export async function startJava(t, folder, ...words) {
     await ended;
   });
   for await (const line of createInterface({ input: started.stdout })) {
-    const [, address] = /Watch it at (\S+)/.exec(line) ?? [];
+    const [, address] = /(?:Watch it at|^Studio:) (\S+)/.exec(line) ?? [];
     if (address) {
       started.stdout.resume();
       return address;

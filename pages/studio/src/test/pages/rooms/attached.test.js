@@ -21,6 +21,8 @@ slow('a server is seen through its monitor port, and its clock is left alone', a
   await cannotUse(user, 'button', 'Step');
   await cannotUse(user, 'combobox', 'Speed');
   await user.findsNo('region', 'Puppet');
+  await user.seesNo('Add a puppet');
+  await user.reads('region', 'First steps', 'Drag the ball somewhere else');
   await user.findsNo('region', 'Scenes');
   await user.presses(' ');
   await user.sees('A simulation in another process cannot be paused');

@@ -202,6 +202,7 @@ export class Studio {
       scenePanel(this.note, this.goLive),
       banner(),
       (shown) => puppet.draw(shown),
+      () => this.firstSteps.show(this.state),
     ];
     this.eventList = new EventList();
     this.commentary = new Commentary(this.session, (text) => this.eventList?.show(text));

@@ -9,6 +9,7 @@ import { Goals } from './goals.js';
 import { Light, PALETTES, roomReflections } from './light.js';
 import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
+import { hazeMetres } from './flat-material.js';
 import { graphicsOf, isWebGl, opaqueRenderer } from './renderer.js';
 import { Ring } from './ring.js';
 import { InstancedRobots } from './instanced-robots.js';
@@ -161,6 +162,7 @@ export class FieldView {
     if (this.pitch) {
       this.scene.remove(this.pitch);
     }
+    this.scene.fog = new THREE.Fog(this.palette.sky, ...hazeMetres(content.field));
     this.pitch = pitch(content, this.palette, this.quality.glossy);
     this.scene.add(this.pitch);
     this.#drawShadows();

@@ -4,18 +4,28 @@
  */
 import * as THREE from 'three';
 
-/** Distances at which the haze begins and is complete, in metres. */
-export const HAZE_METRES = [9, 38];
+/** Distances at which the haze on the beginners' pitch begins and is complete, in metres. */
+const HAZE_METRES = [9, 38];
+const BEGINNERS_LENGTH = 12;
 
 /**
- * @param {number} [haze] colour of the haze; no haze if omitted
+ * Returns the distances at which the haze begins and is complete, in metres. They grow with the pitch, so that an overview shows all of it.
+ *
+ * @param {{length: number}} field
+ */
+export function hazeMetres({ length }) {
+  return HAZE_METRES.map((metres) => metres * Math.max(1, length / BEGINNERS_LENGTH));
+}
+
+/**
+ * @param {{colour: number, metres: number[]}} [haze] no haze if omitted
  * @returns {THREE.ShaderMaterial} a material for geometries with the attribute `color`; see {@link screenColour}
  */
 export function flatMaterial(haze) {
-  const [near, far] = HAZE_METRES.map((metres) => metres.toFixed(1));
+  const [near, far] = (haze?.metres ?? [0, 0]).map((metres) => metres.toFixed(1));
   return new THREE.ShaderMaterial({
     vertexColors: true,
-    uniforms: { haze: { value: screenColour(haze ?? 0) } },
+    uniforms: { haze: { value: screenColour(haze?.colour ?? 0) } },
     vertexShader: `
       varying vec3 tint;
       varying float metres;

@@ -1,6 +1,6 @@
 /** Lights and sky: the same sun in both themes, a brighter sky in the light one. */
 import * as THREE from 'three';
-import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
+import { flatMaterial, screenColour } from './flat-material.js';
 
 /**
  * @typedef {object} Palette
@@ -53,7 +53,6 @@ const AFTER_ALL_GROUND = 2;
 export class Light {
   /** @param {THREE.Scene} scene */
   constructor(scene) {
-    this.scene = scene;
     this.sky = new THREE.HemisphereLight(0xffffff, 0x7d9482, 1);
     this.sky.position.set(0, 0, 1);
     this.sun = new THREE.DirectionalLight(0xfff4e2, 1);
@@ -71,7 +70,6 @@ export class Light {
     this.sky.intensity = palette.skyLight;
     this.sun.intensity = palette.sunLight;
     paintDome(this.dome, palette);
-    this.scene.fog = new THREE.Fog(palette.sky, ...HAZE_METRES);
   }
 
   /**

@@ -4,14 +4,17 @@
  */
 import * as THREE from 'three';
 import { raised, ring } from '../state/drawing-shapes.js';
-import { flatMaterial, screenColour, tinted } from './flat-material.js';
+import { flatMaterial, hazeMetres, screenColour, tinted } from './flat-material.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Field} Field
  * @typedef {import('../live/state-frame.js').Details} Details
  */
 
-const LINE_WIDTH = 0.05;
+const MIN_LINE_WIDTH = 0.05;
+
+/** Length of the pitch in line widths; the league of 2026 has lines of 10 cm on 55 m. */
+const LENGTH_IN_LINES = 550;
 const BORDER = 1;
 const GROUND_METRES = 300;
 const STRIPES = 12;
@@ -50,7 +53,8 @@ function surround(field, colours) {
     ...rectangle(-far, -y, -x, y),
     ...rectangle(x, -y, far, y),
   ];
-  return new THREE.Mesh(tinted(flat(places), colours.surround), flatMaterial(colours.plain));
+  const haze = { colour: colours.plain, metres: hazeMetres(field) };
+  return new THREE.Mesh(tinted(flat(places), colours.surround), flatMaterial(haze));
 }
 
 /**
@@ -144,25 +148,33 @@ function shadowSheet(field) {
 export function linePlaces(field, details) {
   const { length, width, penaltyLength, centreCircleRadius: radius } = field;
   const penaltyWidth = field.goalWidth + field.penaltyWidth;
+  const line = lineWidth(field);
   return [
-    ...frame(-length / 2, -width / 2, length / 2, width / 2),
-    ...rectangle(-LINE_WIDTH / 2, -width / 2, LINE_WIDTH / 2, width / 2),
-    ...raised(ring([0, 0], radius - LINE_WIDTH / 2, radius + LINE_WIDTH / 2, 64), 0),
-    ...raised(ring([0, 0], 0, 1.6 * LINE_WIDTH, 16), 0),
-    ...frame(-length / 2, -penaltyWidth / 2, -length / 2 + penaltyLength, penaltyWidth / 2),
-    ...frame(length / 2 - penaltyLength, -penaltyWidth / 2, length / 2, penaltyWidth / 2),
+    ...frame(-length / 2, -width / 2, length / 2, width / 2, line),
+    ...rectangle(-line / 2, -width / 2, line / 2, width / 2),
+    ...raised(ring([0, 0], radius - line / 2, radius + line / 2, 64), 0),
+    ...raised(ring([0, 0], 0, 1.6 * line, 16), 0),
+    ...frame(-length / 2, -penaltyWidth / 2, -length / 2 + penaltyLength, penaltyWidth / 2, line),
+    ...frame(length / 2 - penaltyLength, -penaltyWidth / 2, length / 2, penaltyWidth / 2, line),
     ...(details ? goalAreas(field, details) : []),
   ];
 }
 
+/** @param {Field} field */
+function lineWidth({ length }) {
+  return Math.max(MIN_LINE_WIDTH, length / LENGTH_IN_LINES);
+}
+
 /** @param {Field} field @param {Details} details @returns {number[]} goal areas and penalty spots */
-function goalAreas({ length }, { goalAreaLength, goalAreaWidth, penaltySpotDistance }) {
+function goalAreas(field, { goalAreaLength, goalAreaWidth, penaltySpotDistance }) {
+  const { length } = field;
+  const width = lineWidth(field);
   return [-1, 1].flatMap((end) => {
     const [line, front] = [(end * length) / 2, end * (length / 2 - goalAreaLength)];
     const [left, right] = [Math.min(line, front), Math.max(line, front)];
-    const spot = ring([end * (length / 2 - penaltySpotDistance), 0], 0, 1.6 * LINE_WIDTH, 16);
+    const spot = ring([end * (length / 2 - penaltySpotDistance), 0], 0, 1.6 * width, 16);
     return [
-      ...(goalAreaLength > 0 ? frame(left, -goalAreaWidth / 2, right, goalAreaWidth / 2) : []),
+      ...(goalAreaLength > 0 ? frame(left, -goalAreaWidth / 2, right, goalAreaWidth / 2, width) : []),
       ...(penaltySpotDistance > 0 ? raised(spot, 0) : []),
     ];
   });
@@ -173,9 +185,10 @@ function goalAreas({ length }, { goalAreaLength, goalAreaWidth, penaltySpotDista
  * @param {number} low
  * @param {number} right
  * @param {number} high
+ * @param {number} line width of the lines
  */
-function frame(left, low, right, high) {
-  const half = LINE_WIDTH / 2;
+function frame(left, low, right, high, line) {
+  const half = line / 2;
   return [
     ...rectangle(left - half, low - half, right + half, low + half),
     ...rectangle(left - half, high - half, right + half, high + half),

@@ -163,7 +163,10 @@ export class Session {
     const { tense, scene, frame } = this.shown;
     const { state } = this;
     const { paused = false, speed = 1 } = state.frame ?? {};
-    return tense === 'live' ? state : { ...state, scene, frame: frame && { ...frame, paused, speed }, goal: undefined };
+    const isRecorded = tense === 'recorded';
+    return tense === 'live'
+      ? state
+      : { ...state, scene, frame: frame && { ...frame, paused, speed }, goal: undefined, isRecorded };
   }
 
   /** @param {import('../state/studio-state.js').StudioState} state */

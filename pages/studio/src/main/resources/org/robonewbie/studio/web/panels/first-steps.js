@@ -16,6 +16,7 @@ const STEPS = [
 export class FirstSteps {
   /** @type {Set<string>} */
   #done = new Set(recall(KEY, /** @type {string[]} */ ([])));
+  #hasPuppets = true;
 
   constructor() {
     this.place = byId('first-steps');
@@ -32,6 +33,15 @@ export class FirstSteps {
     }
   }
 
+  /** Leaves out the puppet where there are none, as at a watched server. @param {import('../state/studio-state.js').StudioState} state */
+  show({ scene }) {
+    const hasPuppets = scene?.puppets === true;
+    if (scene && hasPuppets !== this.#hasPuppets) {
+      this.#hasPuppets = hasPuppets;
+      this.#draw();
+    }
+  }
+
   #finish() {
     this.#keep(STEPS.map(({ step }) => step));
   }
@@ -44,7 +54,15 @@ export class FirstSteps {
   }
 
   #draw() {
-    this.items.forEach((item) => item.classList.toggle('done', this.#done.has(item.dataset.step ?? '')));
-    this.place.hidden = STEPS.every(({ step }) => this.#done.has(step));
+    this.items.forEach((item) => {
+      item.classList.toggle('done', this.#done.has(item.dataset.step ?? ''));
+      item.hidden = !this.#isOffered(item.dataset.step);
+    });
+    this.place.hidden = STEPS.every(({ step }) => this.#done.has(step) || !this.#isOffered(step));
+  }
+
+  /** @param {string} [step] */
+  #isOffered(step) {
+    return this.#hasPuppets || step !== 'puppet';
   }
 }

@@ -1,6 +1,7 @@
 /** Time line of a replay: event marks, the section that is being repeated, and the displayed moment. */
 import { setAttributes, shape, title } from '../panels/drawing.js';
 import { element } from '../panels/elements.js';
+import { matchEventText } from '../state/match-events.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 
 /**
@@ -23,6 +24,9 @@ const SHAPES = {
 
 /** @type {Record<RecordedEvent['kind'], string>} */
 const NAMES = { goal: 'Goal', fall: 'Fall', foul: 'Foul', playmode: 'Play mode', warning: 'Warning', log: 'Log' };
+
+/** Events of a recording name sides instead of teams. */
+const SIDES = { left: 'left', right: 'right' };
 
 export class ReplayLine {
   /**
@@ -99,7 +103,8 @@ export function legend() {
 
 /** @param {RecordedEvent} event @returns {string} */
 export function eventText({ kind, text, index }) {
-  return `${seconds(index)} s · ${NAMES[kind]}: ${text}`;
+  const sentence = kind === 'foul' ? matchEventText(`foul ${text}`, SIDES) : `${NAMES[kind]}: ${text}`;
+  return `${seconds(index)} s · ${sentence}`;
 }
 
 /** @param {number} index @returns {string} */

@@ -14,6 +14,7 @@ import { playModeText } from './play-mode.js';
  * @property {number} movedMilliseconds time of the last change of the cycle, on the page's clock
  * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal side and time of the last goal
  * @property {Actions} actions
+ * @property {boolean} [isRecorded] whether scene and frame come from a recording
  * @property {string} starting what is about to replace the scene; empty for nothing
  *
  * @typedef {{undo: string, redo: string}} Actions the actions to undo and redo, empty for none
@@ -165,6 +166,9 @@ export function message(state, now, inExercises = false) {
   }
   if (state.starting) {
     return waiting(state.starting, 'The program is being compiled.');
+  }
+  if (state.isRecorded) {
+    return undefined;
   }
   if (state.scene.robots.length === 0) {
     return waiting('Waiting for a robot…', inExercises ? EXERCISE_HINT : joinHint(state.scene));
