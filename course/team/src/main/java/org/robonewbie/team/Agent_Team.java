@@ -51,7 +51,7 @@ public class Agent_Team extends Agent {
     private final WorldModel world = new WorldModel();
     private final Strategy strategy = new Strategy(world);
     private final Limbs body = new Limbs(nao, walk, motions, lookAround);
-    private final Footwork feet = new Footwork(walk);
+    private final Footwork feet = new Footwork(walk, true);
     private final Dribble dribble = new Dribble(walk, feet);
     private final Kick kick = new Kick(body, feet);
     private final Kick farKick = new Kick(body, feet, KickKind.FAR);
@@ -179,6 +179,7 @@ public class Agent_Team extends Agent {
 
     private void play(Plan plan) {
         way = List.of(plan.target());
+        walk.setStyle(Footwork.STYLE);
         if (SetPlay.wantsPass(world, plan)) {
             nao.requestPass();
         }

@@ -19,7 +19,12 @@ final class MatchObserver {
     private static final Set<PlayMode> OPEN = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
     private static final double ROLLING_SECONDS = 0.677;
     private static final double TOUCH_METRES = 0.45;
+    private static final double BEHIND_METRES = 0.2;
     private static final double TOUCH_SPEED = 0.15;
+
+    /** Share of its speed by which a rolling ball slows down more in a cycle than a flying one. */
+    private static final double FLIGHT = 0.04;
+
     private static final double KICK_SPEED = 1.5;
     private static final double GAIN_SECONDS = 4;
     private static final double HELD_METRES = 0.5;
@@ -106,7 +111,9 @@ final class MatchObserver {
     /** Counts who touches the ball next after a kick-off or another set play. */
     private void observeRestart(WorldState now) {
         int toucher = toucher(now);
-        boolean taken = before.playMode().kicker().isPresent() && now.playMode() == PlayMode.PLAY_ON;
+        boolean taken = before.playMode().kicker().isPresent()
+                && !OPEN.contains(before.playMode())
+                && now.playMode() == PlayMode.PLAY_ON;
         if (taken) {
             int team = sign(before.playMode().kicker().get());
             boolean kickOff = isKickOff(before.playMode());
@@ -162,21 +169,33 @@ final class MatchObserver {
         }
     }
 
-    /** Returns the index of the robot that has changed the ball's velocity in this cycle; −1 if none has. */
+    /**
+     * Returns the index of the robot that has changed the ball's velocity in this cycle; −1 if none has. A robot pushes the ball
+     * away from itself, so of two robots at the ball it is the one behind it.
+     */
     private int toucher(WorldState now) {
         Vector3 rolling = before.ballVelocity().times(1 - Cycle.SECONDS / ROLLING_SECONDS);
-        boolean touched = now.ballVelocity().minus(rolling).length() > TOUCH_SPEED
-                && now.ball().distanceTo(before.ball()) < 0.5;
-        int nearest = nearest(now);
-        return touched && nearest >= 0 && distance(now.robots().get(nearest), now.ball()) < TOUCH_METRES ? nearest : -1;
+        Vector3 push = now.ballVelocity().minus(rolling);
+        boolean touched =
+                push.length() > TOUCH_SPEED + FLIGHT * before.ballVelocity().length()
+                        && now.ball().distanceTo(before.ball()) < 0.5;
+        if (!touched) {
+            return -1;
+        }
+        int nearest = nearest(now, before.ball().minus(push.times(BEHIND_METRES / push.length())));
+        return nearest >= 0 && distance(now.robots().get(nearest), now.ball()) < TOUCH_METRES ? nearest : -1;
     }
 
     private static int nearest(WorldState now) {
+        return nearest(now, now.ball());
+    }
+
+    private static int nearest(WorldState now, Vector3 place) {
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         List<BodyState> robots = now.robots();
         for (int i = 0; i < robots.size(); i++) {
-            double metres = distance(robots.get(i), now.ball());
+            double metres = distance(robots.get(i), place);
             if (metres < least) {
                 least = metres;
                 nearest = i;

@@ -42,7 +42,7 @@ public interface Walk {
 
     /**
      * Sets the parameters of the walk, such as the height of the feet, the step duration and the balance gains. They take
-     * effect the next time the robot starts to walk.
+     * effect with the next step; a robot that walks faster than they allow slows down first.
      *
      * <pre>{@code
      * double[] x = WalkStyle.coordinates();
@@ -55,7 +55,7 @@ public interface Walk {
     void setStyle(WalkStyle style);
 
     /**
-     * Sets a learned walk, which takes effect the next time the robot starts to walk; {@link #setStyle} replaces it.
+     * Sets a learned walk, which takes effect like a style; {@link #setStyle} replaces it.
      *
      * <pre>{@code
      * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));

@@ -164,6 +164,10 @@ public final class WalkController implements Walk {
     }
 
     private void step() {
+        if (!selected.equals(active)) {
+            engine.change(selected);
+            active = selected;
+        }
         engine.towards(wanted);
         follower.follow(engine.next());
         walking = !engine.isStanding();

@@ -52,8 +52,12 @@ public final class WalkEngine {
     /** Minimum duration of the last step in cycles, for styles with very short steps. */
     private static final int MIN_CYCLES_OF_LAST_STEP = 10;
 
-    private final WalkStyle style;
-    private final WalkReflex reflex;
+    /** Excess of the forward speed, in metres per second, that is small enough for a change to a slower walk. */
+    private static final double SLOW_ENOUGH = 0.02;
+
+    private WalkStyle style;
+    private WalkReflex reflex;
+    private PolicyWalk nextWalk;
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
     private int cyclesPerStep;
@@ -89,6 +93,7 @@ public final class WalkEngine {
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
         this.reflex = reflex.forEngine();
+        this.nextWalk = new PolicyWalk(style, reflex);
         this.torso = TorsoPosture.of(style.gait(), 0);
         this.step = stepTo(left, torso);
     }
@@ -99,7 +104,18 @@ public final class WalkEngine {
      * @param newVelocity the velocity; it is scaled down to the limits of the style
      */
     public void towards(WalkVelocity newVelocity) {
-        wanted = newVelocity.within(style.most(), style.backward());
+        WalkStyle next = nextWalk.style();
+        wanted = newVelocity.within(style.most(), style.backward()).within(next.most(), next.backward());
+    }
+
+    /**
+     * Sets the walk for the next steps. While the robot is faster than that walk allows, it slows down with the current one
+     * first.
+     *
+     * @param walk parameters and reflex
+     */
+    public void change(PolicyWalk walk) {
+        nextWalk = walk;
     }
 
     /** {@return whether the robot is standing in the posture {@link Stance} and the requested velocity is zero} */
@@ -180,6 +196,10 @@ public final class WalkEngine {
     }
 
     private Step plan() {
+        if (!nextWalk.style().equals(style) && isSlowEnoughFor(nextWalk.style())) {
+            style = nextWalk.style();
+            reflex = nextWalk.reflex().forEngine();
+        }
         if (standing) {
             walking = Stance.POSTURE;
             swing = wanted.left() + 0.01 * wanted.turn() >= 0 ? Leg.LEFT : Leg.RIGHT;
@@ -190,6 +210,11 @@ public final class WalkEngine {
         feetSideBySide = velocity.isZero();
         cyclesPerStep = cyclesOfStep(stopping);
         return stepTo(target(), torsoAtEnd(stopping, velocity.forward() - before.forward()));
+    }
+
+    private boolean isSlowEnoughFor(WalkStyle next) {
+        double most = velocity.within(next.most(), next.backward()).forward();
+        return velocity.forward() < most + SLOW_ENOUGH;
     }
 
     private int cyclesOfStep(boolean stopping) {

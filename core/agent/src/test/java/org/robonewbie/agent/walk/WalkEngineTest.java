@@ -64,6 +64,27 @@ class WalkEngineTest {
     }
 
     @Test
+    void slowsDownToASlowerWalkWithoutAStop() {
+        WalkVelocity most = new WalkVelocity(0.2, 0.1, 30);
+        WalkStyle slow = WalkStyle.STANDARD.withLimits(most, 0.1, WalkStyle.STANDARD.change());
+        WalkEngine slowFromTheStart = new WalkEngine(slow);
+        WalkVelocity fast = new WalkVelocity(0.6, 0, 0);
+        engine.towards(fast);
+        slowFromTheStart.towards(fast);
+        postures(engine, 200);
+
+        engine.change(new PolicyWalk(slow, WalkReflex.NONE));
+        engine.towards(fast);
+        List<Posture> changing = postures(engine, 200);
+        List<Posture> expected = postures(slowFromTheStart, 400);
+
+        assertThat(changing.get(199).largestDifference(expected.get(399))).isLessThan(0.5);
+        for (int i = 1; i < changing.size(); i++) {
+            assertThat(changing.get(i).largestDifference(changing.get(i - 1))).isLessThan(15);
+        }
+    }
+
+    @Test
     void movesItsFeetFromAsFarAheadToAsFarBehindAsItWalksInAStep() {
         double speed = 0.2;
         engine.towards(new WalkVelocity(speed, 0, 0));

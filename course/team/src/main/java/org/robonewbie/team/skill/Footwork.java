@@ -2,6 +2,7 @@ package org.robonewbie.team.skill;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.agent.walk.WalkStyle;
@@ -29,6 +30,8 @@ public final class Footwork {
     private static final double CALM = 0.6;
     private static final double CLOSE_METRES = 0.8;
     private static final double CLOSE_DEGREES = 40;
+    private static final double JOG_ROOM_METRES = 1.6;
+    private static final double JOG_ASIDE_METRES = 0.5;
     private static final double FAR_METRES = 0.55;
     private static final double ARRIVED_METRES = 0.12;
     private static final double ARRIVED_DEGREES = 12;
@@ -43,15 +46,27 @@ public final class Footwork {
     private static final double NEAR_SPEED = 1.8;
 
     private final Walk walk;
+    private final Optional<Jog> jog;
     private boolean standing;
+
+    /**
+     * Creates the navigation of a robot that only walks.
+     *
+     * @param walk the walk
+     */
+    public Footwork(Walk walk) {
+        this(walk, false);
+    }
 
     /**
      * Creates the navigation.
      *
      * @param walk the walk
+     * @param jogs whether the robot jogs on long ways; then {@link #STYLE} must be selected again in each cycle
      */
-    public Footwork(Walk walk) {
+    public Footwork(Walk walk, boolean jogs) {
         this.walk = walk;
+        this.jog = jogs ? Optional.of(new Jog(walk)) : Optional.empty();
     }
 
     /**
@@ -72,10 +87,18 @@ public final class Footwork {
         standing = way.size() == 1 && next.length() < tolerance && Math.abs(turn) < turnTolerance;
         if (standing) {
             walk.stop();
-        } else {
+        } else if (!jogs(world, next, world.place().distanceTo(place))) {
             step(next, turn, way.size() == 1, pace(world));
         }
         return way;
+    }
+
+    private boolean jogs(WorldModel world, Translation2d next, double metres) {
+        return jog.isPresent()
+                && jog.get().go(world, next, metres, others(world).stream().noneMatch(other -> {
+                    Translation2d place = other.centre().seenFrom(world.pose());
+                    return place.x() > 0 && place.x() < JOG_ROOM_METRES && Math.abs(place.y()) < JOG_ASIDE_METRES;
+                }));
     }
 
     private static double pace(WorldModel world) {
@@ -110,7 +133,10 @@ public final class Footwork {
     public void step(WorldModel world, Translation2d place, double turnDegrees) {
         if (place.length() > FAR_METRES) {
             List<Translation2d> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
-            step(way.get(0).seenFrom(world.pose()), turnDegrees, false, speed(world));
+            Translation2d next = way.get(0).seenFrom(world.pose());
+            if (!jogs(world, next, place.length())) {
+                step(next, turnDegrees, false, speed(world));
+            }
         } else {
             step(place, turnDegrees, true, speed(world));
         }

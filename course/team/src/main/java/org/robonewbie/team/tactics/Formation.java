@@ -64,7 +64,7 @@ public final class Formation {
         return inside(
                 switch (role) {
                     case FORWARD -> new Translation2d(ball.x() + 5 * scale, middle);
-                    case SUPPORTER -> ball.towards(ourGoal, 1.6).plus(new Translation2d(0, ball.y() > 0 ? -0.8 : 0.8));
+                    case SUPPORTER -> ball.towards(ourGoal, 2.8).plus(new Translation2d(0, ball.y() > 0 ? -0.8 : 0.8));
                     case SWEEPER -> ball.towards(ourGoal, ball.distanceTo(ourGoal) / 2);
                     case LEFT_WING -> new Translation2d(ball.x() + 2 * scale, middle + 5 * scale);
                     case RIGHT_WING -> new Translation2d(ball.x() + 2 * scale, middle - 5 * scale);

@@ -28,12 +28,15 @@ public final class KickChoice {
     private static final double DRIBBLE_METRES = 2;
     private static final double TAP_IN_METRES = 2.5;
     private static final double DRIBBLE_SPEED = 0.45;
-    private static final double RUN_SPEED = 0.5;
-    private static final double OPPONENT_SPEED = 0.5;
+    private static final double RUN_SPEED = 0.75;
+    private static final double OPPONENT_SPEED = 0.65;
     private static final double DISTURBED = 0.3;
     private static final double ALONE_METRES = 4;
     private static final double SHARE_OF_RUN = 0.33;
-    private static final double LOSS = 0.03;
+    private static final double LOSS = 0.1;
+    private static final double LOSS_SECONDS = 3;
+    private static final double SET_PLAY_LOSS = 0.4;
+    private static final double KICK_OFF_METRES = 1.5;
     private static final double VALUE_METRES = 8;
     private static final double STOPS = 0.9;
     private static final double STOPS_HIGH = 0.2;
@@ -102,16 +105,13 @@ public final class KickChoice {
         return List.copyOf(all);
     }
 
-    /**
-     * Adds the options that move the ball in one direction. Only small teams use far kicks, because large teams gain more by
-     * passing.
-     */
+    /** Adds the options that move the ball in one direction. */
     private void add(List<Option> all, double degrees) {
         if (mayDribble) {
             all.add(dribble(degrees));
         }
         for (KickKind kind : KickKind.values()) {
-            if (kind == KickKind.QUICK || (world.isSmallTeam() && kind.isFor(world.type()))) {
+            if (kind.isFor(world.type())) {
                 all.add(kick(kind, degrees));
             }
         }
@@ -129,7 +129,7 @@ public final class KickChoice {
         boolean near = world.ball().distanceTo(world.theirGoal()) < TAP_IN_METRES;
         double goal = near ? goalProbability(KickKind.QUICK, world.ball(), degrees) : 0;
         double score = goal * (1 - value(world.ball())) / seconds;
-        return new Option(plan, keeps * (score + (1 - goal) * gain(end, 1, seconds)));
+        return new Option(plan, orLost(keeps, score + (1 - goal) * gain(end, 1, seconds)));
     }
 
     private Option kick(KickKind kind, double degrees) {
@@ -139,26 +139,60 @@ public final class KickChoice {
         double free = freeLane(kind, ball, end);
         double goal = goalProbability(kind, ball, degrees);
         Optional<Mate> receiver = nearest(end);
-        double patience = SetPlay.patienceSeconds(world);
+        double reach = PASS_SHARE * kind.metres() + SetPlay.patienceSeconds(world) * RUN_SPEED;
+        Optional<Mate> partner = receiver.filter(mate -> mate.place().distanceTo(end) < reach);
+        double patience = partner.isPresent() ? SetPlay.patienceSeconds(world) : 0;
         double ours = secondsTo(receiver.map(Mate::place).orElse(world.place()), end, patience);
-        double theirs = world.opponentDistance(end) / OPPONENT_SPEED;
-        double rest = free * gain(end, probability(theirs - ours), seconds + runShare(kind) * ours);
+        double theirs = opponentDistance(end) / OPPONENT_SPEED;
+        double keeps = probability(theirs - ours);
+        double rest = isSetPlay()
+                ? setPlayGain(end, free * keeps)
+                : orLost(free, gain(end, keeps, seconds + runShare(kind) * ours));
         double shot = free * (1 - value(ball)) / seconds;
-        int number = receiver.filter(mate ->
-                        goal < 0.3 && mate.place().distanceTo(end) < PASS_SHARE * kind.metres() + patience * RUN_SPEED)
-                .map(Mate::number)
-                .orElse(0);
+        int number = goal < 0.3 ? partner.map(Mate::number).orElse(0) : 0;
         Plan.Action action = kind == KickKind.FAR ? Plan.Action.FAR_KICK : Plan.Action.KICK;
         Plan plan = new Plan(TeamRole.STRIKER, action, end, degrees, number);
-        return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
+        return new Option(plan, orLost(undisturbed(seconds), goal * shot + (1 - goal) * rest));
     }
 
     /**
-     * Returns the probability that no opponent interferes within the given time; in pass mode the referee keeps opponents
-     * away.
+     * Returns the expected gain per second of an option that succeeds with some probability, and otherwise loses the ball, which
+     * is never better.
+     */
+    private static double orLost(double succeeds, double gain) {
+        return succeeds * gain + (1 - succeeds) * Math.min(gain, -LOSS / LOSS_SECONDS);
+    }
+
+    /**
+     * Returns the distance to the nearest opponent. At a kick-off, opponents that the robot does not see may be anywhere in their
+     * half.
+     */
+    private double opponentDistance(Translation2d end) {
+        double seen = world.opponentDistance(end);
+        boolean kickOff = world.situation() == Situation.OUR_KICK_OFF;
+        return kickOff ? Math.min(seen, Math.max(0, KICK_OFF_METRES - end.x())) : seen;
+    }
+
+    /** Returns whether the opponents have to stay away from the ball until this team plays it, and then another player. */
+    private boolean isSetPlay() {
+        return world.situation().isOurs() && !world.mates().isEmpty();
+    }
+
+    /**
+     * Returns the gain of a kick in a set play. There is time, and the taker may not touch the ball again, so what counts most
+     * is that a teammate is the next to play the ball.
+     */
+    private double setPlayGain(Translation2d end, double keeps) {
+        double better = isOnPitch(end) ? value(end) - value(world.ball()) : -SET_PLAY_LOSS;
+        return (keeps * better - (1 - keeps) * SET_PLAY_LOSS) / LOSS_SECONDS;
+    }
+
+    /**
+     * Returns the probability that no opponent interferes within the given time; in pass mode and in set plays the referee
+     * keeps opponents away.
      */
     private double undisturbed(double seconds) {
-        if (world.situation() == Situation.OUR_PASS) {
+        if (world.situation() == Situation.OUR_PASS || isSetPlay()) {
             return 1;
         }
         double lead = world.opponentDistance(world.ball()) / OPPONENT_SPEED - seconds;
@@ -167,11 +201,15 @@ public final class KickChoice {
 
     /**
      * Returns the gain per second of moving the ball to a position, given the probability that the team keeps the ball there.
-     * If the ball is lost, half of the gain is lost too.
+     * If the ball is lost, half of what it has gained is lost too.
      */
     private double gain(Translation2d end, double keeps, double seconds) {
-        double better = isOnPitch(end) ? value(end) - value(world.ball()) : -LOSS;
-        return ((0.5 + 0.5 * keeps) * better - (1 - keeps) * LOSS) / seconds;
+        if (!isOnPitch(end)) {
+            return -LOSS / LOSS_SECONDS;
+        }
+        double better = value(end) - value(world.ball());
+        double kept = better > 0 ? 0.5 + 0.5 * keeps : 1;
+        return (kept * better - (1 - keeps) * LOSS) / seconds;
     }
 
     /**
@@ -236,7 +274,7 @@ public final class KickChoice {
         return world.mates().stream()
                 .filter(mate -> !mate.message().fallen() && !Roles.isKeeper(world, mate.number()))
                 .min(Comparator.comparingDouble(mate -> mate.place().distanceTo(end)))
-                .filter(mate -> SetPlay.patienceSeconds(world) > 0
+                .filter(mate -> isSetPlay()
                         || mate.place().distanceTo(end) < world.place().distanceTo(end));
     }
 

@@ -5,8 +5,8 @@ import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Kick-off positions by player number. Players with low numbers, starting with 2, get the positions closest to the ball, so
- * that small teams attack too. All positions are in the team's own half. Only the kicker and the player that plays the ball
- * next may be inside the centre circle.
+ * that small teams attack too. All positions are in the team's own half. Number 2 kicks off; it stands ready to kick to the
+ * left, where number 3 waits for the ball.
  */
 public final class KickOffPositions {
 
@@ -24,8 +24,9 @@ public final class KickOffPositions {
         {-9, 0}
     };
     private static final int KICKER = 2;
-    private static final double KICK_METRES = -0.45;
-    private static final double NEXT_METRES = 1.4;
+    private static final Pose2d KICK = new Pose2d(-0.3, -0.4, 75);
+    private static final Pose2d RECEIVE = new Pose2d(-0.9, 5, -60);
+    private static final double BESIDE_METRES = 1.4;
     private static final double BEHIND_CIRCLE_METRES = 0.4;
 
     private KickOffPositions() {}
@@ -42,13 +43,14 @@ public final class KickOffPositions {
     public static Pose2d place(int number, boolean kicksOff, boolean small, SoccerField field) {
         double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;
         if (number == KICKER) {
-            return new Pose2d(kicksOff ? KICK_METRES : behindCircle, 0.06, 0);
+            return kicksOff ? KICK : new Pose2d(behindCircle, 0.06, 0);
         }
         if (number == KICKER + 1) {
-            return kicksOff ? new Pose2d(KICK_METRES, NEXT_METRES, 0) : new Pose2d(2 * behindCircle, 0, 0);
+            double y = Math.min(RECEIVE.y(), field.width() / 2 - 1);
+            return kicksOff ? new Pose2d(RECEIVE.x(), y, RECEIVE.degrees()) : new Pose2d(2 * behindCircle, 0, 0);
         }
         if (number == 1 && small) {
-            return new Pose2d(1.5 * behindCircle, -NEXT_METRES, 0);
+            return new Pose2d(1.5 * behindCircle, -BESIDE_METRES, 0);
         }
         double scale = field.length() / SoccerField.LEAGUE.length();
         double[] place = LEAGUE[Math.max(1, Math.min(LEAGUE.length, number)) - 1];

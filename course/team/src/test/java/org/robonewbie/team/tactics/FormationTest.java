@@ -53,6 +53,12 @@ class FormationTest {
         }
     }
 
+    @Test
+    void leavesTheBallToOnePlayer() {
+        assertThat(formation.places(Translation2d.ORIGIN, 9).values())
+                .allSatisfy(place -> assertThat(place.length()).isGreaterThan(2.5));
+    }
+
     @ParameterizedTest
     @CsvSource({"true,true", "true,false", "false,true", "false,false"})
     void linesUpInTheOwnHalfOnBothPitches(boolean kicksOff, boolean small) {

@@ -5,10 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -21,7 +24,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
-/** When a player kicks far. */
+/** When a player kicks far, and that an opponent in the way makes no kick better. */
 class KickChoiceTest {
 
     private static final double GOAL_LINE = 15;
@@ -46,6 +49,16 @@ class KickChoiceTest {
 
         Plan best() {
             return new KickChoice(world, true, mayScore, Plan.NONE).best();
+        }
+
+        double gainOfKick(double degrees) {
+            return new KickChoice(world, true, mayScore, Plan.NONE)
+                    .options().stream()
+                            .filter(option -> option.plan().action() == Action.KICK)
+                            .filter(option -> option.plan().headingDegrees() == degrees)
+                            .mapToDouble(KickChoice.Option::gain)
+                            .findFirst()
+                            .orElseThrow();
         }
     }
 
@@ -79,17 +92,51 @@ class KickChoiceTest {
         assertThat(plan.action()).isNotEqualTo(Action.FAR_KICK);
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -180})
+    void anOpponentInTheWayMakesNoKickBetter(double degrees) {
+        double blocked = gainOfKick(degrees, degrees);
+        double free = gainOfKick(degrees, degrees + 50);
+
+        assertThat(blocked).isLessThan(free);
+    }
+
+    /** What a kick gains that a player could make straight ahead, with an opponent two metres from the ball. */
+    private static double gainOfKick(double degrees, double opponentDegrees) {
+        Choosing player = new Choosing(true);
+        Translation2d ball = new Translation2d(-6, 0);
+        Translation2d place = ball.minus(Translation2d.polar(degrees, 0.3));
+        Translation2d opponent = ball.plus(Translation2d.polar(opponentDegrees, 2));
+        decide(
+                player,
+                RobotType.TYPE_0,
+                new Pose2d(place.x(), place.y(), degrees),
+                ball,
+                new Pose2d(opponent.x(), opponent.y(), 0));
+        return player.gainOfKick(degrees);
+    }
+
     /** What a player does whose ball lies before its feet, with an opponent ahead of it. */
     private static Plan choice(Choosing player, RobotType type, double goalMetres, double opponentMetres) {
         double x = GOAL_LINE - goalMetres;
+        Pose2d opponent = new Pose2d(x + opponentMetres, 0, 180);
+        decide(player, type, new Pose2d(x - 0.3, 0, 0), new Translation2d(x, 0), opponent);
+        return player.best();
+    }
+
+    /** Lets a player look at the ball and an opponent for a while. */
+    private static void decide(Choosing player, RobotType type, Pose2d place, Translation2d ball, Pose2d opponent) {
         List<RobotStart> robots = List.of(
-                new RobotStart("Team", 2, type, new Pose2d(x - 0.3, 0, 0), List.of()),
-                new RobotStart("Others", 2, RobotType.TYPE_0, new Pose2d(x + opponentMetres, 0, 180), List.of()));
-        Scene scene =
-                new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(new Vector3(x, 0, 0)));
+                new RobotStart("Team", 2, type, place, List.of()),
+                new RobotStart("Others", 2, RobotType.TYPE_0, opponent, List.of()));
+        Scene scene = new Scene(
+                SoccerParameters.league(),
+                true,
+                Landscape.SOCCER,
+                robots,
+                Optional.of(new Vector3(ball.x(), ball.y(), 0)));
         try (Trial trial = Trial.served(scene, 1, Controller.ofAgent(player), Controller.ofSpeeds())) {
             trial.run(1.5);
-            return player.best();
         }
     }
 }

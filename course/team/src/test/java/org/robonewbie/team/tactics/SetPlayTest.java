@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
@@ -24,7 +25,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
-/** A free kick: for whom it waits, and who leaves the ball alone after it. */
+/** A free kick: for whom it waits, and who leaves the ball alone after it. A kick-off: where it goes. */
 @Tag("slow")
 class SetPlayTest {
 
@@ -74,6 +75,43 @@ class SetPlayTest {
             assertThat(end.distanceTo(Vector3.ZERO)).isGreaterThan(2);
             assertThat(trial.now().ball().distanceTo(end)).isLessThan(0.3);
         }
+    }
+
+    @Test
+    void kickOffGoesAsideToATeammateAndNotToTheOpponentAhead() {
+        try (Trial trial = kickOff()) {
+            runTo(PlayMode.PLAY_ON, trial, 14);
+            trial.run(trial.seconds() + 3);
+            Translation2d ball =
+                    new Translation2d(trial.now().ball().x(), trial.now().ball().y());
+
+            double teammate = ball.distanceTo(trial.now().place(1).translation());
+            assertThat(teammate).isLessThan(ball.distanceTo(trial.now().place(2).translation()));
+            assertThat(teammate).isLessThan(ball.distanceTo(trial.now().place(3).translation()));
+            assertThat(ball.length()).isGreaterThan(3);
+        }
+    }
+
+    /** Numbers 2 and 3 at their kick-off positions; opponents stand ahead at the circle and opposite the receiver. */
+    private static Trial kickOff() {
+        Pose2d kicker = KickOffPositions.place(2, true, true, SoccerField.LEAGUE);
+        Pose2d receiver = KickOffPositions.place(3, true, true, SoccerField.LEAGUE);
+        List<RobotStart> robots = List.of(
+                new RobotStart("Team", 2, RobotType.TYPE_0, kicker, List.of()),
+                new RobotStart("Team", 3, RobotType.TYPE_0, receiver, List.of()),
+                new RobotStart("Others", 1, RobotType.TYPE_0, new Pose2d(2.5, 0, 180), List.of()),
+                new RobotStart("Others", 2, RobotType.TYPE_0, new Pose2d(1.2, 3.5, 180), List.of()));
+        Scene scene = new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO));
+        Trial trial = Trial.served(
+                scene,
+                1,
+                Controller.ofAgent(new Agent_Team(2)),
+                Controller.ofAgent(new Agent_Team(3)),
+                Controller.ofSpeeds(),
+                Controller.ofSpeeds());
+        trial.order(new Order.ChangePlayMode(PlayMode.KICK_OFF_LEFT));
+        runTo(PlayMode.KICK_OFF_LEFT, trial, 1);
+        return trial;
     }
 
     private static void runTo(PlayMode mode, Trial trial, double mostSeconds) {
