@@ -40,7 +40,7 @@ public final class RecordingWriter implements AutoCloseable {
     private final ThingTrack things = new ThingTrack();
     private final IdentityHashMap<RobotModel, Integer> models = new IdentityHashMap<>();
     private byte[] lastRobots = {};
-    private double lastPlaySeconds;
+    private long lastPlayCycles;
 
     private RecordingWriter(RecordingTarget target) {
         this.target = target;
@@ -206,8 +206,9 @@ public final class RecordingWriter implements AutoCloseable {
     private void writeCycle(WorldSnapshot snapshot) {
         ByteSink payload = sink.newPayload();
         payload.putUnsigned(snapshot.cycle());
-        payload.putSigned(PortableMath.round((snapshot.gameTime() - lastPlaySeconds) * 50));
-        lastPlaySeconds = snapshot.gameTime();
+        long playCycles = PortableMath.round(snapshot.gameTime() * 50);
+        payload.putSigned(playCycles - lastPlayCycles);
+        lastPlayCycles = playCycles;
         ballTrack.putPose(0, new Pose(snapshot.ballPosition(), snapshot.ballRotation()), payload);
         for (RobotSnapshot robot : snapshot.robots()) {
             DeltaTrack track = track(robot).poses;

@@ -107,6 +107,20 @@ class LeagueMatchTest {
     }
 
     @Test
+    void matchesInOneLogFollowEachOther() throws IOException {
+        String match = new String(plain(), StandardCharsets.UTF_8);
+
+        assertThat(convert((match + match).getBytes(StandardCharsets.UTF_8))).isEmpty();
+
+        List<RecordedCycle> cycles = cycles(folder.resolve("game.rec"));
+        assertMatch(cycles);
+        assertThat(cycles).hasSize(2 * 111 + 1);
+        assertThat(cycles.get(112).events()).containsExactly("playmode BeforeKickOff");
+        assertThat(cycles.get(110).snapshot().gameTime()).isEqualTo(0.18);
+        assertThat(cycles.get(112).snapshot().gameTime()).isZero();
+    }
+
+    @Test
     void cutLogIsReadUpToTheCut() throws IOException {
         byte[] log = plain();
 
