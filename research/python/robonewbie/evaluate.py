@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from robonewbie import network
-from robonewbie.environment import EpisodeSeeds
+from robonewbie.environment import CYCLES_PER_SECOND, EpisodeSeeds
 from robonewbie.network import ACTIVATIONS  # noqa: F401
-from robonewbie.simulator import RESET, SKIP, STEP, Connection
+from robonewbie.simulator import RESET, SKIP, STEP, TERMINATED, Connection
 from robonewbie.train import options_of
 
 # The seeds of training runs start at 10 million.
@@ -24,7 +24,7 @@ class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
 
     def __init__(self, text):
-        self.inputs, self.cycles, self.layers = [], 1, network.read(text)
+        self.text, self.inputs, self.cycles, self.layers = text, [], 1, network.read(text)
         for line in text.splitlines():
             words = line.split(" ")
             if words[0] == "input":
@@ -47,23 +47,27 @@ class PlayedPolicy:
 
 @dataclass(frozen=True)
 class Result:
-    """The return, the length in actions, and the success of each episode."""
+    """The return, the length in actions, the success, the mean speed in m/s, and whether the robot fell, of each episode."""
 
     returns: np.ndarray
     actions: np.ndarray
     successes: np.ndarray
+    speeds: np.ndarray
+    falls: np.ndarray
 
     def __str__(self):
         error = np.std(self.returns) / np.sqrt(len(self.returns))
         return f"return {np.mean(self.returns):.3f} ± {error:.3f}, success {np.sum(self.successes)} of {len(self.successes)}"
 
 
-def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
+def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None, physics=None):
     """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
-    The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it.
+    The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it. ``physics`` replaces the
+    simulator's, see :class:`robonewbie.mujoco.Physics`.
     """
-    robots = Connection(task, episodes, "", {"cycles": policy.cycles if policy else 1, **(options or {})})
+    options = {"cycles": policy.cycles if policy else 1, **(options or {})}
+    robots = Connection(task, episodes, "", options, physics)
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     indices = [names.index(name) for name in policy.inputs] if policy else []
@@ -72,18 +76,28 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
     running = np.ones(episodes, dtype=bool)
     if policy:
         policy.reset()
+        robots.play(policy.text)
     observation, _, _ = robots.act(RESET, seeds.draw(running), 0)
-    returns, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
-    success = robots.truth_names.index("is_success")
+    returns, actions, way = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes)
+    truth = {name: i for i, name in enumerate(robots.truth_names)}
+    place = [truth["x"], truth["y"]]
+    before, interval = robots.truth[:, place], max(1, round(CYCLES_PER_SECOND / options["cycles"]))
+    last, fallen = robots.truth.copy(), np.zeros(episodes, dtype=bool)
     while running.any():
         action = policy.act(observation[:, indices]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
         returns[running] += reward[running]
         actions += running
-        successes[running] = robots.truth[running, success] > 0
-        running &= robots.state == 0
+        last[running] = robots.truth[running]
+        ended = running & (robots.state != 0)
+        measured = ended | running & (actions % interval == 0)
+        way[measured] += np.hypot(*(last[:, place] - before)[measured].T)
+        before[measured] = last[measured][:, place]
+        fallen |= ended & (robots.state == TERMINATED) & (last[:, truth["fallen"]] > 0)
+        running &= ~ended
     robots.close()
-    return Result(returns, actions, successes)
+    seconds = actions * options["cycles"] / CYCLES_PER_SECOND
+    return Result(returns, actions, last[:, truth["is_success"]] > 0, way / seconds, fallen)
 
 
 def main(words=None):
