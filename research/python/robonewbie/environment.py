@@ -64,13 +64,15 @@ class SimulatedTask:
     def __reduce__(self):
         return _create, (type(self), *self._constructor)
 
+    _physics = None  # that of the simulator
+
     def _connect(self, task, count, reward, render_mode, options):
         if render_mode is not None and render_mode not in RENDER_MODES:
             raise ValueError(f'There is no render_mode "{render_mode}". Available: {", ".join(RENDER_MODES)}; or omit the argument.')
         self.render_mode = render_mode
         self._task_options = options
         self._changed = False
-        self._connection = Connection(task, count, reward, options)
+        self._connection = Connection(task, count, reward, options, self._physics)
         self.description = self._connection.description
         self.observation_names = [entry["name"] for entry in self.description["observation"]]
         self.observation_units = [entry["unit"] for entry in self.description["observation"]]

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from robonewbie import network
-from robonewbie.environment import EpisodeSeeds
+from robonewbie.environment import CYCLES_PER_SECOND, EpisodeSeeds
 from robonewbie.network import ACTIVATIONS  # noqa: F401
-from robonewbie.simulator import RESET, SKIP, STEP, Connection
+from robonewbie.simulator import RESET, SKIP, STEP, TERMINATED, Connection
 from robonewbie.train import options_of
 
 # The seeds of training runs start at 10 million.
@@ -27,7 +27,7 @@ class PlayedPolicy:
     """Policy loaded from its file, evaluated with NumPy for a batch of observations. ``options`` are those that it needs of the task."""
 
     def __init__(self, text: str) -> None:
-        self.inputs, self.layers = [], network.read(text)
+        self.text, self.inputs, self.layers = text, [], network.read(text)
         self.options = {"cycles": 1}
         for line in text.splitlines():
             words = line.split(" ")
@@ -56,11 +56,13 @@ class PlayedPolicy:
 
 @dataclass(frozen=True)
 class Result:
-    """The return, the length in actions, and the success of each episode."""
+    """The return, the length in actions, the success, the mean speed in m/s, and whether the robot fell, of each episode."""
 
     returns: np.ndarray
     actions: np.ndarray
     successes: np.ndarray
+    speeds: np.ndarray
+    falls: np.ndarray
 
     def __str__(self):
         error = np.std(self.returns) / np.sqrt(len(self.returns))
@@ -68,13 +70,20 @@ class Result:
 
 
 def evaluate(
-    task: str, policy: PlayedPolicy | None = None, episodes: int = 128, first_seed: int = FIRST_SEED, options: dict[str, Any] | None = None
+    task: str,
+    policy: PlayedPolicy | None = None,
+    episodes: int = 128,
+    first_seed: int = FIRST_SEED,
+    options: dict[str, Any] | None = None,
+    physics: Any = None,
 ) -> Result:
     """Plays all episodes in parallel and returns a Result. Without a policy, all actions are zero.
 
-    Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them.
+    Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them. ``physics`` replaces
+    the simulator's, see :class:`robonewbie.mujoco.Physics`.
     """
-    robots = Connection(task, episodes, "", {**(policy.options if policy else {}), **(options or {})})
+    options = {"cycles": 1, **(policy.options if policy else {}), **(options or {})}
+    robots = Connection(task, episodes, "", options, physics)
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
     indices = [names.index(name) for name in policy.inputs] if policy else []
@@ -83,18 +92,28 @@ def evaluate(
     running = np.ones(episodes, dtype=bool)
     if policy:
         policy.reset()
+        robots.play(policy.text)
     observation, _, _ = robots.act(RESET, seeds.draw(running), 0)
-    returns, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
-    success = robots.truth_names.index("is_success")
+    returns, actions, way = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes)
+    truth = {name: i for i, name in enumerate(robots.truth_names)}
+    place = [truth["x"], truth["y"]]
+    before, interval = robots.truth[:, place], max(1, round(CYCLES_PER_SECOND / options["cycles"]))
+    last, fallen = robots.truth.copy(), np.zeros(episodes, dtype=bool)
     while running.any():
         action = policy.act(observation[:, indices]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
         returns[running] += reward[running]
         actions += running
-        successes[running] = robots.truth[running, success] > 0
-        running &= robots.state == 0
+        last[running] = robots.truth[running]
+        ended = running & (robots.state != 0)
+        measured = ended | running & (actions % interval == 0)
+        way[measured] += np.hypot(*(last[:, place] - before)[measured].T)
+        before[measured] = last[measured][:, place]
+        fallen |= ended & (robots.state == TERMINATED) & (last[:, truth["fallen"]] > 0)
+        running &= ~ended
     robots.close()
-    return Result(returns, actions, successes)
+    seconds = actions * options["cycles"] / CYCLES_PER_SECOND
+    return Result(returns, actions, last[:, truth["is_success"]] > 0, way / seconds, fallen)
 
 
 def compare(task, file=None, episodes=128, first_seed=FIRST_SEED, options=None):

@@ -23,6 +23,7 @@ except ImportError:  # Windows
 
 SKIP, STEP, RESET, STEP_AND_RESET = 0, 1, 2, 3
 TERMINATED, TRUNCATED = 1, 2
+_ADVANCE = 2  # the simulator's request to compute the physics of a cycle
 _START_SECONDS = 600  # the first start builds the program
 _TIMEOUT_SECONDS = 60
 _MIN_JAVA = 17
@@ -195,14 +196,18 @@ def _text(name, value):
 
 
 class Connection:
-    """Connection to the simulator's environments for one task."""
+    """Connection to the simulator's environments for one task.
 
-    def __init__(self, task, count, reward="", options=None):
+    :param physics: computes the physics instead of the simulator, see :class:`robonewbie.mujoco.Physics`
+    """
+
+    def __init__(self, task, count, reward="", options=None, physics=None):
+        self._physics = physics
         self._socket = _connect()
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
             request = "\n".join([task, f"reward={reward}", *_lines(options or {})])
-            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + request.encode("utf-8")))
+            self.description = json.loads(self._ask((b"X" if physics else b"M") + struct.pack("<i", count) + request.encode("utf-8")))
         except RoboNewbieError:
             self.close()
             raise
@@ -251,6 +256,10 @@ class Connection:
         """Sets the options for all following episodes."""
         self._ask(b"C" + "\n".join(_lines(options)).encode("utf-8"))
 
+    def play(self, policy):
+        """Sets the policy of all following episodes from the text of its file: the robot walks with its gait, if it has one."""
+        self._ask(b"L" + policy.encode("utf-8"))
+
     def picture(self, index):
         """Returns the positions of limbs and ball in one environment."""
         return json.loads(self._ask(b"P" + struct.pack("<i", index)))
@@ -268,9 +277,9 @@ class Connection:
         if self._socket.fileno() < 0:
             raise RoboNewbieError("The environment is closed. Create it again.")
         try:
-            self._socket.sendall(struct.pack("<i", len(message)) + message)
-            (length,) = struct.unpack("<i", self._receive(4))
-            reply = self._receive(length)
+            reply = self._exchange(message)
+            while reply[0] == _ADVANCE:
+                reply = self._exchange(self._physics.advance(reply[1:]))
         except TimeoutError as silent:
             self.close()
             raise RoboNewbieError(
@@ -284,6 +293,11 @@ class Connection:
         if reply[0]:
             raise RoboNewbieError(reply[1:].decode("utf-8"))
         return reply[1:]
+
+    def _exchange(self, message):
+        self._socket.sendall(struct.pack("<i", len(message)) + message)
+        (length,) = struct.unpack("<i", self._receive(4))
+        return self._receive(length)
 
     def _receive(self, length):
         data = bytearray(length)

@@ -18,6 +18,7 @@ import org.robonewbie.simulator.sensing.VisiblePlayer;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
  * A world with physics only, stepped without messages or a referee. As in a game, readings arrive one cycle late, and commands
@@ -30,6 +31,8 @@ final class DirectWorld implements World {
     private SplittableRandom random;
     private final Map<Robot, Camera> cameras = new HashMap<>();
     private Optional<WorldState> start = Optional.empty();
+    private Optional<ExternalPhysics> physics = Optional.empty();
+    private double[] motorSpeeds = {};
     private long cycles;
 
     DirectWorld(SteppedSimulator simulator, boolean noise, long seed) {
@@ -45,8 +48,24 @@ final class DirectWorld implements World {
             body.setReadings(
                     new DirectReadings(body.robot(), this, body.controller().readsMessages()));
         }
-        simulator.world().step();
+        physics.ifPresentOrElse(this::advance, simulator.world()::step);
         cycles++;
+    }
+
+    private void advance(ExternalPhysics other) {
+        SoccerWorld world = simulator.world();
+        world.step(() -> other.advance(world.robots().get(0), world.ball(), motorSpeeds.clone()));
+    }
+
+    @Override
+    public void setPhysics(ExternalPhysics other) {
+        List<Robot> robots = simulator.world().robots();
+        if (robots.size() != 1) {
+            throw new IllegalArgumentException("Another physics engine simulates one robot, but this scene has "
+                    + robots.size() + ". Choose a scene or a task with one.");
+        }
+        motorSpeeds = new double[robots.get(0).model().joints().size()];
+        physics = Optional.of(other);
     }
 
     @Override
@@ -60,6 +79,7 @@ final class DirectWorld implements World {
         simulator.world().restore(start.orElseThrow());
         random = new SplittableRandom(seed);
         cameras.clear();
+        physics = Optional.empty();
         cycles = 0;
     }
 
@@ -68,7 +88,15 @@ final class DirectWorld implements World {
             double radiansPerSecond = EffectorMessageWriter.rounded(speed.radiansPerSecond());
             robot.nao()
                     .hingeIndex(speed.effectorName())
-                    .ifPresent(hinge -> robot.setMotorSpeed(hinge, radiansPerSecond));
+                    .ifPresent(hinge -> setMotorSpeed(robot, hinge, radiansPerSecond));
+        }
+    }
+
+    private void setMotorSpeed(Robot robot, int hinge, double radiansPerSecond) {
+        if (physics.isPresent()) {
+            motorSpeeds[hinge] = radiansPerSecond;
+        } else {
+            robot.setMotorSpeed(hinge, radiansPerSecond);
         }
     }
 

@@ -25,6 +25,11 @@ final class ServedWorld implements World {
     }
 
     @Override
+    public void setPhysics(ExternalPhysics physics) {
+        throw new IllegalStateException("A served trial has its own physics. Use a direct trial.");
+    }
+
+    @Override
     public void reset(long seed) {
         throw new IllegalStateException("A served trial cannot be reset. Create a new one, or use a direct trial.");
     }

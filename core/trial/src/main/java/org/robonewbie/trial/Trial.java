@@ -278,6 +278,15 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
+     * Replaces the physics engine until the trial is reset. Requires a direct trial with one robot.
+     *
+     * @param physics computes the motion of each cycle
+     */
+    public void setPhysics(ExternalPhysics physics) {
+        world.setPhysics(physics);
+    }
+
+    /**
      * Executes a human referee's command, such as a kick-off, before the next cycle. Requires a served trial, because
      * only served trials have a referee.
      *

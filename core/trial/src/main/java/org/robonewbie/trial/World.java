@@ -11,6 +11,9 @@ interface World {
     /** Saves the current state as the start of the trial. */
     void keep();
 
-    /** Restores the saved state with a new seed. */
+    /** Replaces the physics engine until the world is reset. */
+    void setPhysics(ExternalPhysics physics);
+
+    /** Restores the saved state with a new seed and the simulator's own physics. */
     void reset(long seed);
 }

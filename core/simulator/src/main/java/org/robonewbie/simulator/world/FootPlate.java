@@ -64,6 +64,12 @@ final class FootPlate implements Restorable {
         }
     }
 
+    /** Sets the reading that another physics engine has computed. */
+    void set(Optional<FootForce> reading) {
+        touching = reading.isPresent();
+        last = reading.orElse(last);
+    }
+
     Optional<FootForce> reading() {
         return touching ? Optional.of(last) : Optional.empty();
     }

@@ -62,6 +62,8 @@ public final class Robot {
     private final Accelerometer accelerometer = new Accelerometer();
     private final List<FootPlate> plates;
     private Optional<Beam> beam = Optional.empty();
+    private Vector3 externalForce = Vector3.ZERO;
+    private Vector3 externalTorque = Vector3.ZERO;
 
     private record Beam(Vector3 position, double yawDegrees) {}
 
@@ -191,7 +193,17 @@ public final class Robot {
      * @return degrees per second, without noise
      */
     public double jointDegreesPerSecond(Joint joint) {
-        return PortableMath.toDegrees(hinges.get(nao().hingeIndex(joint)).radiansPerSecond());
+        return jointDegreesPerSecond(nao().hingeIndex(joint));
+    }
+
+    /**
+     * Returns the speed of a hinge.
+     *
+     * @param hingeIndex index of the hinge
+     * @return degrees per second, without noise
+     */
+    public double jointDegreesPerSecond(int hingeIndex) {
+        return PortableMath.toDegrees(hinges.get(hingeIndex).radiansPerSecond());
     }
 
     /**
@@ -298,13 +310,27 @@ public final class Robot {
     }
 
     /**
+     * Sets the readings of the foot force sensors, which another physics engine has computed.
+     *
+     * @param forces the readings until the next step, in the frames of their links
+     */
+    public void setFootForces(FootForces forces) {
+        List<Optional<FootForce>> all = List.of(forces.left(), forces.right(), forces.leftToe(), forces.rightToe());
+        for (int i = 0; i < plates.size(); i++) {
+            plates.get(i).set(all.get(i));
+        }
+    }
+
+    /**
      * Applies an external force to the centre of the torso in the next step.
      *
      * @param newtons force in the world frame, limited to 1000 N per axis
      */
     public void push(Vector3 newtons) {
         bodies.get(0).wake();
-        bodies.get(0).addForce(WorldLimits.force(newtons));
+        Vector3 force = WorldLimits.force(newtons);
+        bodies.get(0).addForce(force);
+        externalForce = externalForce.plus(force);
     }
 
     /**
@@ -315,6 +341,17 @@ public final class Robot {
     public void twist(Vector3 newtonMetres) {
         bodies.get(0).wake();
         bodies.get(0).addTorque(newtonMetres);
+        externalTorque = externalTorque.plus(newtonMetres);
+    }
+
+    /** {@return the sum of all {@linkplain #push pushes} since the last step, in newtons} */
+    public Vector3 externalForce() {
+        return externalForce;
+    }
+
+    /** {@return the sum of all {@linkplain #twist twists} since the last step, in newton metres} */
+    public Vector3 externalTorque() {
+        return externalTorque;
     }
 
     /**
@@ -486,6 +523,12 @@ public final class Robot {
             FootPlate plate = plates.get(i);
             plate.update(bodies.get(plate.link()));
         }
+        forgetExternalForces();
+    }
+
+    void forgetExternalForces() {
+        externalForce = Vector3.ZERO;
+        externalTorque = Vector3.ZERO;
     }
 
     /** Resets the robot to its initial pose after its links have been torn apart. */
@@ -529,6 +572,7 @@ public final class Robot {
     }
 
     void restore(StateReader in) {
+        forgetExternalForces();
         accelerometer.restore(in);
         plates.forEach(plate -> plate.restore(in));
         beam = in.getOptional(() -> new Beam(in.getVector(), in.getDouble()));

@@ -153,14 +153,29 @@ public final class SoccerWorld implements Restorable {
 
     /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, motion, foot sensors. */
     public void step() {
-        ball.applyDrag();
-        robots.forEach(Robot::prepareStep);
-        engine.findContacts();
-        report.read(engine.contacts());
+        prepareStep();
         engine.step(Cycle.SECONDS);
         ball.finishStep();
         things.finishStep();
         robots.forEach(Robot::finishStep);
+    }
+
+    /**
+     * Advances the world by one cycle, in which another physics engine computes motion and forces.
+     *
+     * @param other places the robots and the ball and sets foot forces
+     */
+    public void step(Runnable other) {
+        prepareStep();
+        other.run();
+        robots.forEach(Robot::forgetExternalForces);
+    }
+
+    private void prepareStep() {
+        ball.applyDrag();
+        robots.forEach(Robot::prepareStep);
+        engine.findContacts();
+        report.read(engine.contacts());
     }
 
     /**

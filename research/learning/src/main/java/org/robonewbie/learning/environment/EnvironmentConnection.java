@@ -6,6 +6,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -16,6 +17,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.simulator.embedded.Viewer;
 
@@ -26,12 +28,15 @@ final class EnvironmentConnection {
     private static final int MAX_MESSAGE_BYTES = 64 << 20;
     private static final int MAX_ENVIRONMENTS = 1024;
     private static final byte MAKE = 'M';
+    private static final byte MAKE_WITHOUT_PHYSICS = 'X';
     private static final byte ACT = 'A';
+    private static final byte POLICY = 'L';
     private static final byte CHANGE = 'C';
     private static final byte PICTURE = 'P';
     private static final byte VIEW = 'V';
     private static final byte OK = 0;
     private static final byte ERROR = 1;
+    private static final byte ADVANCE = 2;
 
     private final DataInputStream input;
     private final DataOutputStream output;
@@ -81,7 +86,9 @@ final class EnvironmentConnection {
         try {
             byte kind = request.get();
             switch (kind) {
-                case MAKE -> reply(OK, make(request));
+                case MAKE -> reply(OK, make(request, false));
+                case MAKE_WITHOUT_PHYSICS -> reply(OK, make(request, true));
+                case POLICY -> reply(OK, setPolicy(request));
                 case ACT -> reply(OK, environments.act(request));
                 case CHANGE -> reply(OK, change(request));
                 case PICTURE -> reply(OK, picture(request));
@@ -100,7 +107,7 @@ final class EnvironmentConnection {
         output.flush();
     }
 
-    private byte[] make(ByteBuffer request) {
+    private byte[] make(ByteBuffer request, boolean withoutPhysics) {
         int count = request.getInt();
         if (count < 1 || count > MAX_ENVIRONMENTS) {
             throw new IllegalArgumentException(
@@ -112,8 +119,29 @@ final class EnvironmentConnection {
         Supplier<List<EpisodeRunner>> runners = spec.runners(classes);
         DomainRandomization options = spec.randomization();
         end();
-        environments = VectorEnvironment.of(count, () -> new TrainingEnvironment(runners, options));
+        environments = VectorEnvironment.of(
+                count,
+                i -> new TrainingEnvironment(
+                        runners,
+                        options,
+                        withoutPhysics ? Optional.of(() -> new ClientPhysics(i, this::advance)) : Optional.empty()),
+                !withoutPhysics);
         return description(spec, environments.environment(0)).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Lets the client compute the physics of a cycle while it waits for the response to its request. */
+    private ByteBuffer advance(byte[] state) {
+        try {
+            reply(ADVANCE, state);
+            return readMessage();
+        } catch (IOException broken) {
+            throw new UncheckedIOException(broken);
+        }
+    }
+
+    private byte[] setPolicy(ByteBuffer request) {
+        environments.setPolicy(PolicyText.parse(text(request)));
+        return new byte[0];
     }
 
     private static String text(ByteBuffer request) {

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.ExternalPhysics;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
@@ -29,6 +30,7 @@ public final class TrainingEnvironment implements AutoCloseable {
 
     private final Supplier<List<EpisodeRunner>> episodes;
     private final List<ObservedQuantity> quantities;
+    private final Optional<Supplier<ExternalPhysics>> physics;
     private DomainRandomization options;
     private List<EpisodeRunner> runners;
     private int cyclesPerAction = 1;
@@ -40,8 +42,21 @@ public final class TrainingEnvironment implements AutoCloseable {
 
     /** Creates an environment and begins the episode with seed 0. */
     TrainingEnvironment(Supplier<List<EpisodeRunner>> episodes, DomainRandomization options) {
+        this(episodes, options, Optional.empty());
+    }
+
+    /**
+     * Creates an environment and begins the episode with seed 0.
+     *
+     * @param physics creates the physics engine of each episode; empty for the simulator's own
+     */
+    TrainingEnvironment(
+            Supplier<List<EpisodeRunner>> episodes,
+            DomainRandomization options,
+            Optional<Supplier<ExternalPhysics>> physics) {
         this.options = options;
         this.episodes = episodes;
+        this.physics = physics;
         runners = newRunners(Optional.empty());
         quantities = runners.get(0).quantities();
         scene = task().seededScene(0);
@@ -128,6 +143,7 @@ public final class TrainingEnvironment implements AutoCloseable {
             pushes.act(world);
             task.act(world);
         });
+        physics.map(Supplier::get).ifPresent(trial::setPhysics);
         now = trial.now();
         runners.forEach(runner -> runner.begin(now, trial.readings(runner.task().robot()), drawn, seed));
         listener.cycleEnded(trial);

@@ -4,15 +4,17 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import org.robonewbie.agent.policy.Policy;
 
 /**
- * Environments of one connection, which are stepped in parallel. Requests and responses are in the binary format of docs/gym-protocol.md.
+ * Environments of one connection, which are stepped in parallel unless the client computes the physics. Requests and responses are in the binary format of docs/gym-protocol.md.
  */
 final class VectorEnvironment implements AutoCloseable {
 
-    static final VectorEnvironment NONE = new VectorEnvironment(List.of());
+    static final VectorEnvironment NONE = new VectorEnvironment(List.of(), true);
 
     private static final byte STEP = 1;
     private static final byte RESET = 2;
@@ -23,6 +25,8 @@ final class VectorEnvironment implements AutoCloseable {
     private static final byte TRUNCATED = 2;
 
     private final List<TrainingEnvironment> environments;
+    private final boolean parallel;
+    private Optional<Policy> policy = Optional.empty();
     private final int robots;
     private final int actions;
     private final int requestBytes;
@@ -30,8 +34,9 @@ final class VectorEnvironment implements AutoCloseable {
     private final int observationBytes;
     private final boolean trueState;
 
-    private VectorEnvironment(List<TrainingEnvironment> environments) {
+    private VectorEnvironment(List<TrainingEnvironment> environments, boolean parallel) {
         this.environments = environments;
+        this.parallel = parallel;
         boolean any = !environments.isEmpty();
         robots = any ? environments.get(0).robots() : 0;
         actions = any ? environments.get(0).task().joints().size() : 0;
@@ -44,11 +49,15 @@ final class VectorEnvironment implements AutoCloseable {
                 + 1;
     }
 
-    static VectorEnvironment of(int count, Supplier<TrainingEnvironment> environments) {
-        return new VectorEnvironment(IntStream.range(0, count)
-                .parallel()
-                .mapToObj(i -> environments.get())
-                .toList());
+    /**
+     * Creates environments.
+     *
+     * @param environments creates the environment with a given index
+     * @param parallel whether the environments are stepped in parallel
+     */
+    static VectorEnvironment of(int count, IntFunction<TrainingEnvironment> environments, boolean parallel) {
+        return new VectorEnvironment(
+                IntStream.range(0, count).parallel().mapToObj(environments).toList(), parallel);
     }
 
     TrainingEnvironment environment(int index) {
@@ -59,11 +68,16 @@ final class VectorEnvironment implements AutoCloseable {
         return environments.get(index);
     }
 
+    /** Sets the policy that acts in all subsequent episodes: the robot walks with its gait, if it has one. */
+    void setPolicy(Policy newPolicy) {
+        policy = Optional.of(newPolicy);
+    }
+
     void setOptions(DomainRandomization options) {
         environments.forEach(environment -> environment.setOptions(options));
     }
 
-    /** Steps all environments in parallel. If an action contains NaN, no environment is stepped. */
+    /** Steps all environments. If an action contains NaN, no environment is stepped. */
     byte[] act(ByteBuffer request) {
         int rows = environments.size() * robots;
         if (rows == 0 || request.remaining() != rows * requestBytes) {
@@ -74,8 +88,8 @@ final class VectorEnvironment implements AutoCloseable {
         for (int row = 0; row < rows; row++) {
             check(request, start, row);
         }
-        List<Answer> answers = IntStream.range(0, environments.size())
-                .parallel()
+        IntStream indices = IntStream.range(0, environments.size());
+        List<Answer> answers = (parallel ? indices.parallel() : indices)
                 .mapToObj(i -> act(i, request, start + i * robots * requestBytes))
                 .toList();
         ByteBuffer all = ByteBuffer.allocate(rows * answerBytes
@@ -106,13 +120,13 @@ final class VectorEnvironment implements AutoCloseable {
         TrainingEnvironment environment = environments.get(index);
         try {
             if (what == RESET) {
-                environment.reset(seed);
+                environment.reset(seed, policy);
             } else if (what == STEP || what == STEP_AND_RESET) {
                 environment.act(actions(request, offset));
             }
             byte[] states = states(environment);
             if (what == STEP_AND_RESET && (environment.isTerminated() || environment.isTruncated())) {
-                environment.reset(seed);
+                environment.reset(seed, policy);
                 ByteBuffer fresh =
                         ByteBuffer.allocate(robots * observationBytes).order(ByteOrder.LITTLE_ENDIAN);
                 IntStream.range(0, robots).forEach(robot -> put(fresh, environment.observation(robot)));

@@ -23,7 +23,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.agent.policy.PolicyText;
+import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.model.NaoModel;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 
@@ -72,6 +76,50 @@ class EnvironmentServerTest {
 
         double shoulder = answer.getFloat(1 + Float.BYTES * Joint.LEFT_SHOULDER_PITCH.ordinal());
         assertThat(shoulder).isCloseTo(-95 + 12, within(0.5));
+    }
+
+    @Test
+    void physicsOfEachCycleIsAskedOfTheClientThatWantsIt() throws IOException {
+        byte[] task = "Reach".getBytes(StandardCharsets.UTF_8);
+        ask(little(5 + task.length).put((byte) 'X').putInt(1).put(task).array());
+        act(order(2, 1, 0, 0, 0, 0));
+
+        ByteBuffer asked = act(order(1, 0, 0.1, 0, 0, 0));
+        double height = asked.getDouble(1 + 5 * Double.BYTES);
+        ByteBuffer answer = ask(motionless(height - 0.1));
+
+        assertThat(asked.get(0)).isEqualTo((byte) 2);
+        assertThat(asked.remaining()).isEqualTo(1 + Double.BYTES * (31 + 3 * Joint.COUNT));
+        assertThat(height).isCloseTo(0.34, within(0.01));
+        assertThat(answer.get(0)).isZero();
+        int truth = answer.remaining() - 1 - Double.BYTES * PrivilegedState.NAMES.size();
+        assertThat(answer.getDouble(truth + Double.BYTES * PrivilegedState.NAMES.indexOf("height")))
+                .isEqualTo(height - 0.1);
+    }
+
+    /** Returns a state in which all links are at the same place. */
+    private static byte[] motionless(double height) {
+        int links = NaoModel.of(RobotType.TYPE_0).links().size();
+        ByteBuffer state = little(Double.BYTES * (13 * links + 9 + 28));
+        for (int i = 0; i < links; i++) {
+            state.putDouble(13 * Double.BYTES * i + 2 * Double.BYTES, height);
+            state.putDouble(13 * Double.BYTES * i + 3 * Double.BYTES, 1);
+        }
+        return state.array();
+    }
+
+    @Test
+    void gaitIsThatOfThePolicy() throws IOException {
+        make("WalkGait", 1);
+        byte[] policy = ("L" + PolicyText.format(PolicyFile.shipped("walk"))).getBytes(StandardCharsets.UTF_8);
+        double[] still = new double[12];
+        act(order(2, 1, still));
+        ByteBuffer standard = act(order(1, 0, still));
+
+        assertThat(ask(policy).remaining()).isEqualTo(1);
+        act(order(2, 1, still));
+
+        assertThat(act(order(1, 0, still))).isNotEqualTo(standard);
     }
 
     @Test
