@@ -42,6 +42,15 @@ quick('an own motion and its unsaved changes are there again after a visit', asy
   await user.readsValue('textbox', 'neck pitch in degrees', '7.5');
 });
 
+quick('a motion of a T1 is shown with its joints', async (t) => {
+  const { user, visit } = await openWebEdition(t);
+  await user.stores('motions/mine', `// robot: T1\n500 12.5${' 0'.repeat(22)}\n`);
+
+  await visit('#motion/mine');
+
+  await user.readsValue('textbox', 'head yaw in degrees', '12.5');
+});
+
 quick('a program starts a motion that was made in the page, and then its new version', async (t) => {
   const { user } = await openWebEdition(t, { to: '#program' });
   await user.stores('motions/mine', turnNeckTo(12.5));

@@ -50,6 +50,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.Robot;
+import org.robonewbie.studio.motion.RobotDescription;
 
 /** A robot that is defined in this file only stands, moves and falls in the world, and is recorded, replayed and shown. */
 class MadeUpRobotTest {
@@ -244,6 +245,17 @@ class MadeUpRobotTest {
             assertThat(frame.getShort()).isCloseTo((short) 0, within((short) 10));
             assertThat(frame.getShort()).isCloseTo((short) -9000, within((short) 10));
         }
+    }
+
+    @Test
+    void isDescribedToTheMotionEditor() {
+        JsonObject description =
+                JsonParser.parseString(RobotDescription.write(TIN_MAN)).getAsJsonObject();
+
+        assertThat(description.getAsJsonArray("joints"))
+                .extracting(joint -> joint.getAsJsonObject().get("name").getAsString())
+                .containsExactlyElementsOf(names());
+        assertThat(description.getAsJsonObject("model").getAsJsonArray("links")).hasSize(6);
     }
 
     /** Records a run to the file that the argument names, for a test of the page. */

@@ -148,6 +148,9 @@ public final class MotionPlayer {
      * @throws IllegalArgumentException if they are those of another robot than the motion's
      */
     public void step(Motors motors) {
+        if (cycle == 0) {
+            checkRobot(motors.joints().jointSpace());
+        }
         if (isFinished()) {
             motors.stopMotion();
         } else if (original.isPresent()) {
@@ -218,13 +221,15 @@ public final class MotionPlayer {
                 enough);
     }
 
-    private void begin(Motors motors) {
-        JointSpace robot = motors.joints().jointSpace();
-        if (!robot.equals(motion.jointSpace())) {
-            throw new IllegalArgumentException("Motion " + motion.name() + " is for the robot "
-                    + motion.jointSpace().robot() + ", but the motors are those of " + robot.robot()
-                    + ". Play a motion for that robot.");
+    private void checkRobot(JointSpace robot) {
+        JointSpace space = motion.jointSpace();
+        if (!robot.equals(space)) {
+            throw new IllegalArgumentException("Motion " + motion.name() + " is for the robot " + space.robot()
+                    + ", but the motors are those of " + robot.robot() + ". Play a motion for that robot.");
         }
+    }
+
+    private void begin(Motors motors) {
         sections = sectionsFrom(motors.expectedPosture());
         follower = Optional.of(new PostureFollower(motors));
     }

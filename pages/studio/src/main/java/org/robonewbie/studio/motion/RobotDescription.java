@@ -23,18 +23,27 @@ public final class RobotDescription {
     private RobotDescription() {}
 
     /**
-     * Writes the description of a robot other than the NAO: its joints and shapes. What is mirrored and what weighs how much is left out.
+     * Writes the description of a robot other than the NAO that this framework ships.
      *
-     * @param name name of a model
+     * @param name name of its model
      * @return one JSON object
      * @throws RefusedException if there is no such model
      */
     public static String write(String name) {
-        RobotModel model = RobotModels.all().stream()
-                .filter(each -> each.name().equals(name) && !NaoRobot.isNao(each))
+        return others().filter(model -> model.name().equals(name))
                 .findFirst()
+                .map(RobotDescription::write)
                 .orElseThrow(() -> new RefusedException(
                         404, "Its robot is \"" + name + "\", but the studio knows " + known() + " only."));
+    }
+
+    /**
+     * Writes the description of a robot other than the NAO: its joints and shapes. Partners of joints and masses are left out.
+     *
+     * @param model the robot
+     * @return one JSON object
+     */
+    public static String write(RobotModel model) {
         JsonArray joints = new JsonArray();
         for (JointSpace.Limits joint : model.jointSpace().joints()) {
             joints.add(joint(joint));
@@ -45,11 +54,13 @@ public final class RobotDescription {
         return json.toString();
     }
 
+    private static Stream<RobotModel> others() {
+        return RobotModels.all().stream().filter(model -> !NaoRobot.isNao(model));
+    }
+
     private static String known() {
-        Stream<String> others = RobotModels.all().stream()
-                .filter(model -> !NaoRobot.isNao(model))
-                .map(RobotModel::name);
-        return Stream.concat(Stream.of(JointSpace.NAO.robot()), others).collect(Collectors.joining(", "));
+        return Stream.concat(Stream.of(JointSpace.NAO.robot()), others().map(RobotModel::name))
+                .collect(Collectors.joining(", "));
     }
 
     /**
