@@ -102,10 +102,10 @@ class EnvironmentServerTest {
         int links = NaoModel.of(RobotType.TYPE_0).links().size();
         ByteBuffer state = little(Double.BYTES * (13 * links + 9 + 28));
         for (int i = 0; i < links; i++) {
-            state.putDouble(13 * Double.BYTES * i + 2 * Double.BYTES, height);
-            state.putDouble(13 * Double.BYTES * i + 3 * Double.BYTES, 1);
+            state.putDouble(0).putDouble(0).putDouble(height).putDouble(1);
+            state.position(13 * Double.BYTES * (i + 1));
         }
-        return state.array();
+        return bytes(state.position(state.capacity()));
     }
 
     @Test
