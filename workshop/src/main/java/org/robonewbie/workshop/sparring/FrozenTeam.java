@@ -10,6 +10,7 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -59,10 +60,21 @@ final class FrozenTeam {
             try (TemporaryFolder unfinished = new TemporaryFolder(Files.createTempDirectory(cache, "unfinished"))) {
                 Path compiled = unfinished.path().resolve("classes");
                 compile(sources(repository, unfinished.path().resolve("sources")), compiled);
-                Files.move(compiled, classes, StandardCopyOption.ATOMIC_MOVE);
+                publish(compiled, classes);
             }
         }
         return new FrozenTeam(new TeamFirst(classes.toUri().toURL(), place(SparringPlayer.class)));
+    }
+
+    /** Moves the classes into the cache, unless another process has been faster. */
+    private static void publish(Path compiled, Path classes) throws IOException {
+        try {
+            Files.move(compiled, classes, StandardCopyOption.ATOMIC_MOVE);
+        } catch (FileSystemException occupied) {
+            if (!Files.isDirectory(classes)) {
+                throw occupied;
+            }
+        }
     }
 
     /** Creates a player of the frozen team. */
