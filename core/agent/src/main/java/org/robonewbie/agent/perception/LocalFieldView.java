@@ -36,11 +36,8 @@ public interface LocalFieldView {
      *
      * @param marking the point
      * @return the point, whether or not it has been seen
-     * @throws UnsupportedOperationException if this field view has no markings
      */
-    default FieldItem marking(FieldMarking marking) {
-        throw new UnsupportedOperationException("This field view has no markings.");
-    }
+    FieldItem marking(FieldMarking marking);
 
     /** {@return the top of the left post of the opponents' goal, whether or not it has been seen} */
     FieldItem opponentGoalLeftPost();
