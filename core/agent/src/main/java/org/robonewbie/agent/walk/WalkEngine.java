@@ -55,9 +55,10 @@ public final class WalkEngine {
     /** Excess of the forward speed, in metres per second, that is small enough for a change to a slower walk. */
     private static final double SLOW_ENOUGH = 0.02;
 
+    private PolicyWalk walk;
+    private PolicyWalk nextWalk;
     private WalkStyle style;
     private WalkReflex reflex;
-    private PolicyWalk nextWalk;
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
     private int cyclesPerStep;
@@ -93,7 +94,8 @@ public final class WalkEngine {
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
         this.reflex = reflex.forEngine();
-        this.nextWalk = new PolicyWalk(style, reflex);
+        this.walk = new PolicyWalk(style, reflex);
+        this.nextWalk = walk;
         this.torso = TorsoPosture.of(style.gait(), 0);
         this.step = stepTo(left, torso);
     }
@@ -112,10 +114,10 @@ public final class WalkEngine {
      * Sets the walk for the next steps. While the robot is faster than that walk allows, it slows down with the current one
      * first.
      *
-     * @param walk parameters and reflex
+     * @param newWalk parameters and reflex
      */
-    public void change(PolicyWalk walk) {
-        nextWalk = walk;
+    public void change(PolicyWalk newWalk) {
+        nextWalk = newWalk;
     }
 
     /** {@return whether the robot is standing in the posture {@link Stance} and the requested velocity is zero} */
@@ -196,7 +198,8 @@ public final class WalkEngine {
     }
 
     private Step plan() {
-        if (!nextWalk.style().equals(style) && isSlowEnoughFor(nextWalk.style())) {
+        if (!nextWalk.equals(walk) && isSlowEnoughFor(nextWalk.style())) {
+            walk = nextWalk;
             style = nextWalk.style();
             reflex = nextWalk.reflex().forEngine();
         }

@@ -8,6 +8,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
@@ -82,6 +83,19 @@ class WalkEngineTest {
         for (int i = 1; i < changing.size(); i++) {
             assertThat(changing.get(i).largestDifference(changing.get(i - 1))).isLessThan(15);
         }
+    }
+
+    @Test
+    void anotherReflexOfTheSameStyleTakesEffectWithTheNextStep() {
+        engine.towards(new WalkVelocity(0.2, 0, 0));
+        postures(engine, 100);
+
+        engine.change(new PolicyWalk(WalkStyle.STANDARD, (planned, moment) -> planned.with(Joint.NECK_YAW, 20)));
+
+        assertThat(postures(engine, 50))
+                .last()
+                .extracting(posture -> posture.degrees(Joint.NECK_YAW))
+                .isEqualTo(20.0);
     }
 
     @Test
