@@ -5,7 +5,7 @@ import { csvCell } from '../../main/resources/org/robonewbie/studio/web/state/cs
 import { tableOf } from '../../main/resources/org/robonewbie/studio/web/state/robot/traces.js';
 
 const CELLS = new URL(
-  '../../../../../core/nao/src/test/resources/org/robonewbie/nao/text/csv-cells.txt',
+  '../../../../../core/robot/src/test/resources/org/robonewbie/nao/text/csv-cells.txt',
   import.meta.url,
 );
 

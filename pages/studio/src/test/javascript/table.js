@@ -1,7 +1,7 @@
 /** Reads a table that the Java tests read as well. */
 import { readFileSync } from 'node:fs';
 
-const FOLDER = '../../../../../core/nao/src/test/resources/org/robonewbie/nao/text';
+const FOLDER = '../../../../../core/robot/src/test/resources/org/robonewbie/nao/text';
 
 /** @param {string} file @returns {string[][]} */
 export function tableOf(file) {

@@ -27,8 +27,8 @@ final class CompileCompiler {
     private static final List<String> SHARED = List.of(
             "course/programs/src/main/java/org/robonewbie/programs/completion",
             "course/programs/src/main/java/org/robonewbie/programs/hint",
-            "core/nao/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
-            "core/nao/src/main/java/org/robonewbie/nao/text/Spelling.java");
+            "core/robot/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
+            "core/robot/src/main/java/org/robonewbie/nao/text/Spelling.java");
 
     private static final String MAIN_CLASS = "org.robonewbie.web.compiler.CompilerInPage";
 

@@ -24,7 +24,7 @@ import org.robonewbie.web.compiling.ProgramLibrary;
  */
 final class PackComments {
 
-    private static final List<String> MODULES = List.of("core/nao", "core/agent", "course/team");
+    private static final List<String> MODULES = List.of("core/robot", "core/agent", "course/team");
 
     private PackComments() {}
 

@@ -19,7 +19,7 @@ import {
   types,
 } from './motion-room.js';
 
-const WAVE = new URL('../../../../../../core/nao/src/main/resources/motions/wave.txt', import.meta.url);
+const WAVE = new URL('../../../../../../core/robot/src/main/resources/motions/wave.txt', import.meta.url);
 const TIME = 'Time to reach this keyframe in milliseconds';
 const LEFT_KNEE = 10; // the first number of a line is the time
 const ONE_KEYFRAME = `500 ${STANDING}\n`;

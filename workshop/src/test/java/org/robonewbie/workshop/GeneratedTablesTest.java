@@ -145,7 +145,7 @@ class GeneratedTablesTest {
 
     /** One row for each joint; the direction is from the comment of its constant. */
     private static List<String> joints() {
-        String source = PageTable.read(Path.of("../core/nao/src/main/java/org/robonewbie/nao/Joint.java"));
+        String source = PageTable.read(Path.of("../core/robot/src/main/java/org/robonewbie/nao/Joint.java"));
         List<String> rows = new ArrayList<>(
                 header("`Joint`", "standard name", "sensor", "motor", "range in degrees", "positive or negative"));
         for (Joint joint : Joint.values()) {

@@ -13,7 +13,7 @@ import org.robonewbie.nao.motion.file.MotionFiles;
  * Writes the measured success rates into the headers of the motion files.
  *
  * <pre>{@code
- * java org.robonewbie.workshop.motion.MeasuredHeaders core/nao/src/main/resources/motions
+ * java org.robonewbie.workshop.motion.MeasuredHeaders core/robot/src/main/resources/motions
  * }</pre>
  */
 public final class MeasuredHeaders {
