@@ -133,7 +133,7 @@ class FormerFilesTest {
     void dataSetGoesOn() throws Exception {
         byte[] first = Files.readAllBytes(folder.resolve("dataset/cycles/run-00001.csv"));
         Path about = folder.resolve("dataset/dataset.json");
-        List<String> order = List.of("record MyAgent.java --runs 6 --seconds 1 --out dataset");
+        List<String> order = List.of("record MyAgent.java --runs 6 --seconds 1 --spread 0,0 --out dataset");
         String refused = ends(2, order);
         String version = Printed.by("--version").out().strip();
         AtomicFile.write(about, Files.readString(about).replaceFirst("RoboNewbie 2[^\"]*", version));

@@ -261,7 +261,9 @@ final class RecordCommand implements Callable<Integer> {
         facts.put("first seed", Long.toString(seed));
         facts.put("robots", Integer.toString(robots));
         facts.put("pitch", variation.isLeague() ? "league" : "beginner");
-        facts.put("spread and options", variation.toString());
+        if (variation.isRandom()) {
+            facts.put("spread and options", variation.toString());
+        }
         try {
             return DataSet.create(folder, messages, facts);
         } catch (IllegalArgumentException occupied) {

@@ -64,6 +64,11 @@ public record RunVariation(boolean isLeague, double metres, double degrees, Doma
         return new RunVariation(isLeague, metres, degrees, DomainRandomization.of(options));
     }
 
+    /** {@return whether runs start in different places or have options} */
+    public boolean isRandom() {
+        return metres > 0 || degrees > 0 || !options.toString().isEmpty();
+    }
+
     /** {@return pitch and rules of all runs} */
     public SoccerParameters parameters() {
         SoccerParameters rules = isLeague ? SoccerParameters.league() : SoccerParameters.beginner();
