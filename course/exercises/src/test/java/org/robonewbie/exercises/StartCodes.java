@@ -61,7 +61,7 @@ final class StartCodes {
 
     private static String classPath() {
         return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator, -1))
-                .filter(entry -> Stream.of("nao", "protocol", "agent", "team").anyMatch(entry::contains))
+                .filter(entry -> Stream.of("robot", "protocol", "agent", "team").anyMatch(entry::contains))
                 .filter(entry -> !entry.contains("simulator"))
                 .collect(Collectors.joining(File.pathSeparator));
     }

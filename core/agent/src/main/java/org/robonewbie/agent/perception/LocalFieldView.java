@@ -36,8 +36,11 @@ public interface LocalFieldView {
      *
      * @param marking the point
      * @return the point, whether or not it has been seen
+     * @throws UnsupportedOperationException if this field view has no markings
      */
-    FieldItem marking(FieldMarking marking);
+    default FieldItem marking(FieldMarking marking) {
+        throw new UnsupportedOperationException("This field view has no markings.");
+    }
 
     /** {@return the top of the left post of the opponents' goal, whether or not it has been seen} */
     FieldItem opponentGoalLeftPost();
