@@ -1,7 +1,7 @@
 /** A student programs in the web edition: javac and the interpreter run in the page. */
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
-import { quick } from '../tests.js';
+import { quick, slow } from '../tests.js';
 import { EDITOR, openWebEdition } from '../user.js';
 
 const RAISED = 'left shoulder 31.2 degrees';
@@ -179,7 +179,8 @@ quick('an exception is reported with its line and the robot continues', async (t
 
 for (const text of documentedPrograms()) {
   const [, name] = text.match(/public (?:final )?class (\w+)/);
-  quick(`a program of README or tutorial runs: ${name}`, async (t) => {
+  const test = name === 'FirstProgram' ? quick : slow; // each loads the compiler anew
+  test(`a program of README or tutorial runs: ${name}`, async (t) => {
     const { user } = await openProgram(t);
     await user.fills('combobox', 'Speed', 'fastest');
     await hasCycle(user, (cycle) => cycle > 3000);

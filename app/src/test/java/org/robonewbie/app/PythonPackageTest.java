@@ -23,8 +23,8 @@ class PythonPackageTest {
         assertThat(result.printed()).containsPattern("Ran \\d+ tests").contains("OK");
         if (System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {
             assertThat(result.printed().lines().filter(line -> line.contains(" skipped ")))
-                    .as("LeRobot and MJX are large, and the nightly workflow has them")
-                    .allMatch(line -> line.matches(".*(lerobot|mujoco-mjx) is not installed.*"));
+                    .as("PyTorch, LeRobot and MJX are large, and the nightly workflow has them")
+                    .allMatch(line -> line.matches(".*(torch|stable-baselines3|lerobot|mujoco-mjx) is not installed.*"));
         }
     }
 }

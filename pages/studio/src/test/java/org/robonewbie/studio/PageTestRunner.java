@@ -5,15 +5,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.IntStream;
 
 /** Runs the tests of the pages, which are in {@code pages/studio/src/test/pages}, in a browser. */
 final class PageTestRunner {
 
     /** Slow tests run in one process for each core of a small computer; the others would wait longer for a second browser. */
     private static final int PROCESSES_OF_SLOW_TESTS = 2;
+
+    /** More parts than processes, so that no process has much more to do than the other. */
+    private static final int PARTS_OF_SLOW_TESTS = 6;
 
     private PageTestRunner() {}
 
@@ -28,23 +36,30 @@ final class PageTestRunner {
             throws IOException, InterruptedException {
         Tool.BROWSER.orSkip();
         NodeTool.require("puppeteer-core");
-        int parts = tests.equals("slow") ? PROCESSES_OF_SLOW_TESTS : 1;
-        List<Process> processes = new ArrayList<>();
-        List<Path> outputs = new ArrayList<>();
-        for (int part = 1; part <= parts; part++) {
-            Path output = Files.createTempFile("pages", ".txt");
-            outputs.add(output);
-            processes.add(start(folder, tests, part + "/" + parts, environment, output));
+        boolean isSlow = tests.equals("slow");
+        int parts = isSlow ? PARTS_OF_SLOW_TESTS : 1;
+        ExecutorService processes = Executors.newFixedThreadPool(isSlow ? PROCESSES_OF_SLOW_TESTS : 1);
+        try {
+            List<Callable<String>> all = IntStream.rangeClosed(1, parts)
+                    .<Callable<String>>mapToObj(
+                            part -> () -> failuresOf(folder, tests, part + "/" + parts, environment))
+                    .toList();
+            for (Future<String> failures : processes.invokeAll(all)) {
+                assertThat(failures).succeedsWithin(Duration.ZERO).asString().isEmpty();
+            }
+        } finally {
+            processes.shutdownNow();
         }
-        for (Process process : processes) {
-            process.waitFor();
-        }
-        for (int i = 0; i < parts; i++) {
-            String said = Files.readString(outputs.get(i));
-            Files.delete(outputs.get(i));
-            String failing = said.substring(Math.max(0, said.indexOf("failing tests:")));
-            assertThat(processes.get(i).exitValue()).as(failing).isZero();
-        }
+    }
+
+    /** Runs a part of the tests, and returns what it prints about the failing ones; empty if all pass. */
+    private static String failuresOf(String folder, String tests, String part, Map<String, String> environment)
+            throws IOException, InterruptedException {
+        Path output = Files.createTempFile("pages", ".txt");
+        boolean isPassed = start(folder, tests, part, environment, output).waitFor() == 0;
+        String printed = Files.readString(output);
+        Files.delete(output);
+        return isPassed ? "" : "failed: " + printed.substring(Math.max(0, printed.indexOf("failing tests:")));
     }
 
     private static Process start(String folder, String tests, String part, Map<String, String> environment, Path output)
