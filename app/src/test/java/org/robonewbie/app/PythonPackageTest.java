@@ -24,7 +24,8 @@ class PythonPackageTest {
         if (System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {
             assertThat(result.printed().lines().filter(line -> line.contains(" skipped ")))
                     .as("PyTorch, LeRobot and MJX are large, and the nightly workflow has them")
-                    .allMatch(line -> line.matches(".*(torch|stable-baselines3|lerobot|mujoco-mjx) is not installed.*"));
+                    .allMatch(
+                            line -> line.matches(".*(torch|stable-baselines3|lerobot|mujoco-mjx) is not installed.*"));
         }
     }
 }
