@@ -1,6 +1,8 @@
 package org.robonewbie.trial.measure;
 
+import java.util.Optional;
 import java.util.Random;
+import java.util.function.DoubleSupplier;
 import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -37,12 +39,21 @@ public final class Pushes implements TrialHook {
     public static Pushes growing(long seed, int cyclesBetween, double stepNewtons) {
         Random random = new Random(seed);
         return new Pushes(
-                number -> {
-                    double angle = 2 * Math.PI * random.nextDouble();
-                    return new Vector3(PortableMath.cos(angle), PortableMath.sin(angle), 0).times(number * stepNewtons);
-                },
-                cyclesBetween,
-                cyclesBetween);
+                number -> direction(random.nextDouble()).times(number * stepNewtons), cyclesBetween, cyclesBetween);
+    }
+
+    /**
+     * Creates pushes with equal forces, one in the last 0.1 s of each second.
+     *
+     * @param fractions source of random numbers from 0 to 1, which determine the directions
+     * @param newtons force
+     * @return the pushes
+     */
+    public static Pushes equal(DoubleSupplier fractions, double newtons) {
+        return new Pushes(
+                number -> direction(fractions.getAsDouble()).times(newtons),
+                CYCLES_PER_SECOND,
+                CYCLES_PER_SECOND - CYCLES_PER_PUSH + 1);
     }
 
     /**
@@ -53,22 +64,47 @@ public final class Pushes implements TrialHook {
      * @return the pushes
      */
     public static Pushes random(Random random, double maxNewtons) {
+        return random(random::nextDouble, maxNewtons);
+    }
+
+    /**
+     * Creates pushes with random forces, one at the end of each second.
+     *
+     * @param fractions source of random numbers from 0 to 1, which determine directions and forces
+     * @param maxNewtons maximum force
+     * @return the pushes
+     */
+    public static Pushes random(DoubleSupplier fractions, double maxNewtons) {
         return new Pushes(
-                number -> new Pose2d(0, 0, random.nextDouble() * 360).point(maxNewtons * random.nextDouble(), 0, 0),
+                number -> new Pose2d(0, 0, fractions.getAsDouble() * 360)
+                        .point(maxNewtons * fractions.getAsDouble(), 0, 0),
                 CYCLES_PER_SECOND,
                 CYCLES_PER_SECOND - CYCLES_PER_PUSH);
+    }
+
+    private static Vector3 direction(double fraction) {
+        double angle = 2 * Math.PI * fraction;
+        return new Vector3(PortableMath.cos(angle), PortableMath.sin(angle), 0);
     }
 
     @Override
     public void act(Trial trial) {
         cycle++;
-        if (cycle % cyclesBetween == 0) {
+        at(cycle).ifPresent(trial.robot(0)::push);
+    }
+
+    /**
+     * Returns the force of a cycle. Ask for each cycle in turn.
+     *
+     * @param now number of the cycle; a push begins in each multiple of the number of cycles between pushes
+     * @return the force on each robot that is to be pushed; empty between pushes
+     */
+    public Optional<Vector3> at(long now) {
+        if (now > 0 && now % cyclesBetween == 0) {
             pushes++;
             push = forces.apply(pushes);
         }
-        if (pushes > 0 && cycle % cyclesBetween < CYCLES_PER_PUSH) {
-            trial.robot(0).push(push);
-        }
+        return pushes > 0 && now % cyclesBetween < CYCLES_PER_PUSH ? Optional.of(push) : Optional.empty();
     }
 
     /** {@return the number of pushes so far} */

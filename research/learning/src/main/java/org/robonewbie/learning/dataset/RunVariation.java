@@ -7,7 +7,6 @@ import org.robonewbie.learning.environment.DomainRandomization;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
@@ -19,6 +18,7 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.measure.Pushes;
 
 /**
  * What differs between the runs of a data set: start poses, ball, friction, mass and pushes, drawn from the seed of each run.
@@ -36,8 +36,6 @@ public record RunVariation(boolean isLeague, double metres, double degrees, Doma
     private static final List<String> NAMES = List.of(FRICTION, MASS, PUSH);
     private static final double MAX_METRES = 10;
     private static final double MAX_DEGREES = 180;
-    private static final int CYCLES_BETWEEN_PUSHES = 50;
-    private static final int CYCLES_PER_PUSH = 5;
 
     /**
      * Creates a variation.
@@ -105,15 +103,18 @@ public record RunVariation(boolean isLeague, double metres, double degrees, Doma
         private final SimulationControl control;
         private final DomainRandomization drawn;
         private final RandomSource random;
+        private final Optional<Pushes> pushes;
         private long lastCycle = -1;
         private int robots;
         private boolean began;
-        private Vector3 push = Vector3.ZERO;
 
         Run(SimulationControl control, DomainRandomization drawn, RandomSource random) {
             this.control = control;
             this.drawn = drawn;
             this.random = random;
+            double newtons = drawn.value(PUSH, 0);
+            this.pushes =
+                    newtons == 0 ? Optional.empty() : Optional.of(Pushes.random(() -> random.between(0, 1), newtons));
         }
 
         @Override
@@ -131,22 +132,14 @@ public record RunVariation(boolean isLeague, double metres, double degrees, Doma
                 Vector3 offset = new Vector3(random.between(-metres, metres), random.between(-metres, metres), 0);
                 control.order(new Order.MoveBall(world.ballPosition().plus(offset), Vector3.ZERO));
             }
-            pushRobots(world);
+            pushes.flatMap(each -> each.at(world.cycle())).ifPresent(force -> push(world, force));
         }
 
-        private void pushRobots(WorldSnapshot world) {
-            double newtons = drawn.value(PUSH, 0);
-            long phase = world.cycle() % CYCLES_BETWEEN_PUSHES;
-            if (newtons == 0 || world.cycle() < CYCLES_BETWEEN_PUSHES || phase >= CYCLES_PER_PUSH) {
-                return;
-            }
-            if (phase == 0) {
-                push = new Pose2d(0, 0, random.between(0, 360)).point(random.between(0, newtons), 0, 0);
-            }
+        private void push(WorldSnapshot world, Vector3 force) {
             for (RobotSnapshot robot : world.robots()) {
                 Optional<TeamSide> side = robot.side();
                 if (side.isPresent()) {
-                    control.order(new Order.PushRobot(new PlayerNumber(side.get(), robot.number()), push));
+                    control.order(new Order.PushRobot(new PlayerNumber(side.get(), robot.number()), force));
                 }
             }
         }

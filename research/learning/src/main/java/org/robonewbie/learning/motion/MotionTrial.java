@@ -30,6 +30,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.BalanceMetrics;
+import org.robonewbie.trial.measure.Pushes;
 import org.robonewbie.trial.measure.Turn;
 
 /**
@@ -154,13 +155,25 @@ public final class MotionTrial implements AutoCloseable {
      * @return this trial
      */
     public MotionTrial intoStance(long seed, double newtons) {
-        Disturbance disturbance = new Disturbance(seed, newtons);
-        moveTo(disturbance.near(Stance.POSTURE, NOISE_DEGREES), 600);
+        Random random = new Random(seed);
+        random.nextLong();
+        moveTo(nearStance(random), 600);
         moveTo(Stance.POSTURE, 400);
         hold(0.2);
-        trial.with(disturbance);
+        if (newtons > 0) {
+            trial.with(Pushes.equal(random::nextDouble, newtons));
+        }
         begin(true);
         return this;
+    }
+
+    /** Returns the standard stance with normally distributed offsets added to its joint angles. */
+    private static Posture nearStance(Random random) {
+        double[] angles = Stance.POSTURE.toArray();
+        for (int i = 0; i < angles.length; i++) {
+            angles[i] += NOISE_DEGREES * random.nextGaussian();
+        }
+        return Posture.of(angles).clamped();
     }
 
     /**
