@@ -2,17 +2,16 @@ package org.robonewbie.agent.league;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
-import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
 
 /**
@@ -21,9 +20,7 @@ import org.robonewbie.protocol.perceptor.Vision;
  */
 final class LeagueTruth {
 
-    private static final Vector3 X = new Vector3(1, 0, 0);
-    private static final Vector3 Y = new Vector3(0, 1, 0);
-    private static final Vector3 Z = new Vector3(0, 0, 1);
+    private static final Vector3 FORWARD = new Vector3(1, 0, 0);
 
     private final LeagueCamera camera;
     private Vector3 ball = Vector3.ZERO;
@@ -43,27 +40,18 @@ final class LeagueTruth {
         Pose torso =
                 new Pose(perception.position().get(), perception.orientation().get());
         Pose eye = torso.times(camera.pose(angles.degreesOr(Joint.NECK_YAW, 0), angles.degreesOr(Joint.NECK_PITCH, 0)));
-        seen.ball().ifPresent(polar -> ball = eye.transform(point(polar)));
-        double heading = BodyState.headingDegrees(eye.rotation().apply(X));
-        boolean left = side.get() == TeamSide.LEFT;
+        seen.ball()
+                .map(polar -> new Direction(polar.distanceMetres(), polar.horizontalDegrees(), polar.verticalDegrees()))
+                .ifPresent(direction -> ball = eye.transform(direction.toPoint()));
+        double heading = BodyState.headingDegrees(eye.rotation().apply(FORWARD));
         return new Vision(
                 seen.landmarks(),
                 seen.ball(),
                 seen.players(),
                 seen.lines(),
-                Optional.of(inTeamFrame(eye.position(), left)),
-                OptionalDouble.of(left ? heading : Angles.wrap(heading + 180)),
-                Optional.of(inTeamFrame(ball, left)),
+                side.map(own -> own.inOtherFrame(eye.position())),
+                OptionalDouble.of(side.get() == TeamSide.LEFT ? heading : Angles.wrap(heading + 180)),
+                side.map(own -> own.inOtherFrame(ball)),
                 seen.markings());
-    }
-
-    private static Vector3 point(PolarPosition polar) {
-        return Rotation.about(Z, polar.horizontalDegrees())
-                .times(Rotation.about(Y, -polar.verticalDegrees()))
-                .apply(new Vector3(polar.distanceMetres(), 0, 0));
-    }
-
-    private static Vector3 inTeamFrame(Vector3 place, boolean left) {
-        return left ? place : new Vector3(-place.x(), -place.y(), place.z());
     }
 }

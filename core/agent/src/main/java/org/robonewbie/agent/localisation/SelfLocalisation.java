@@ -258,8 +258,7 @@ public final class SelfLocalisation {
     }
 
     private static Sighting sighting(Vector3 place, Direction seen, Pose camera, TeamSide side) {
-        Vector3 map = side == TeamSide.LEFT ? place : new Vector3(-place.x(), -place.y(), place.z());
-        return new Sighting(seen, camera.transform(seen.toPoint()), map);
+        return new Sighting(seen, camera.transform(seen.toPoint()), side.inOtherFrame(place));
     }
 
     /**

@@ -34,7 +34,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
      * @return position of the torso's centre in metres
      */
     public Vector3 position(TeamSide side) {
-        return side == TeamSide.LEFT ? new Vector3(x, y, TORSO_METRES) : new Vector3(-x, -y, TORSO_METRES);
+        return side.inOtherFrame(new Vector3(x, y, TORSO_METRES));
     }
 
     /**
