@@ -57,7 +57,6 @@ public final class WalkEngine {
 
     private PolicyWalk walk;
     private PolicyWalk nextWalk;
-    private WalkStyle style;
     private WalkReflex reflex;
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Balance balance = new Balance();
@@ -92,7 +91,6 @@ public final class WalkEngine {
      * @param reflex corrects each posture
      */
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
-        this.style = style;
         this.reflex = reflex.forEngine();
         this.walk = new PolicyWalk(style, reflex);
         this.nextWalk = walk;
@@ -107,7 +105,7 @@ public final class WalkEngine {
      */
     public void towards(WalkVelocity newVelocity) {
         WalkStyle next = nextWalk.style();
-        wanted = newVelocity.within(style.most(), style.backward()).within(next.most(), next.backward());
+        wanted = newVelocity.within(style().most(), style().backward()).within(next.most(), next.backward());
     }
 
     /**
@@ -131,7 +129,7 @@ public final class WalkEngine {
         feetSideBySide = true;
         wanted = WalkVelocity.ZERO;
         velocity = WalkVelocity.ZERO;
-        torso = TorsoPosture.of(style.gait(), 0);
+        torso = TorsoPosture.of(style().gait(), 0);
         putFeetSideBySide();
         cycle = 0;
         balance.reset();
@@ -172,7 +170,7 @@ public final class WalkEngine {
         cycle++;
         StepPhase moment = step.at((double) cycle / cyclesPerStep);
         WalkMoment state = state(moment);
-        Correction correction = style.gains().correction(state);
+        Correction correction = style().gains().correction(state);
         walking = step.posture(kinematics, walking, moment, correction);
         if (cycle == cyclesPerStep) {
             setDown(step.swingFoot(moment, correction));
@@ -200,7 +198,6 @@ public final class WalkEngine {
     private Step plan() {
         if (!nextWalk.equals(walk) && isSlowEnoughFor(nextWalk.style())) {
             walk = nextWalk;
-            style = nextWalk.style();
             reflex = nextWalk.reflex().forEngine();
         }
         if (standing) {
@@ -209,10 +206,14 @@ public final class WalkEngine {
         }
         boolean stopping = !standing && wanted.isZero() && velocity.isZero() && feetSideBySide;
         WalkVelocity before = velocity;
-        velocity = standing ? WalkVelocity.ZERO : velocity.towards(wanted, style.change());
+        velocity = standing ? WalkVelocity.ZERO : velocity.towards(wanted, style().change());
         feetSideBySide = velocity.isZero();
         cyclesPerStep = cyclesOfStep(stopping);
         return stepTo(target(), torsoAtEnd(stopping, velocity.forward() - before.forward()));
+    }
+
+    private WalkStyle style() {
+        return walk.style();
     }
 
     private boolean isSlowEnoughFor(WalkStyle next) {
@@ -221,18 +222,19 @@ public final class WalkEngine {
     }
 
     private int cyclesOfStep(boolean stopping) {
-        int normal = style.gait().stepMillis() / CYCLE_MILLIS;
+        int normal = style().gait().stepMillis() / CYCLE_MILLIS;
         return stopping ? Math.max(normal, MIN_CYCLES_OF_LAST_STEP) : normal;
     }
 
     private Step stepTo(Pose2d target, TorsoPosture after) {
-        return new Step(style.gait(), swing, foot(swing), target, foot(swing.other()), torso, after);
+        return new Step(style().gait(), swing, foot(swing), target, foot(swing.other()), torso, after);
     }
 
     private TorsoPosture torsoAtEnd(boolean stopping, double change) {
-        double lean =
-                style.gait().leanDegrees() + style.leanPerSpeed() * velocity.forward() + style.leanPerChange() * change;
-        double ankleOffset = style.gait().ankleOffset() + style.ankleOffsetPerSpeed() * velocity.forward();
+        double lean = style().gait().leanDegrees()
+                + style().leanPerSpeed() * velocity.forward()
+                + style().leanPerChange() * change;
+        double ankleOffset = style().gait().ankleOffset() + style().ankleOffsetPerSpeed() * velocity.forward();
         return new TorsoPosture(stopping ? 0 : 1, lean, ankleOffset);
     }
 
@@ -241,8 +243,8 @@ public final class WalkEngine {
      * to the side of the swing foot.
      */
     private Pose2d target() {
-        double seconds = style.gait().stepMillis() / 1000.0;
-        WalkVelocity slip = style.slip();
+        double seconds = style().gait().stepMillis() / 1000.0;
+        WalkVelocity slip = style().slip();
         double side = swing == Leg.LEFT ? 1 : -1;
         double open = Math.max(0, 2 * side * slip.left() * velocity.left() * seconds);
         double twist = Math.max(0, 2 * side * slip.turn() * velocity.turn() * seconds);
