@@ -19,6 +19,7 @@ from robonewbie.settings import TASKS
 SEEDS = (1, 2, 3)
 EVALUATED = 256
 
+
 def train_seed(task, seed, folder):
     """Starts or resumes the training run with one seed, and returns the file of its policy."""
     out = folder / f"{task}-{seed}.policy"

@@ -15,7 +15,6 @@ import numpy as np
 
 from robonewbie import network
 from robonewbie.environment import CYCLES_PER_SECOND, EpisodeSeeds
-from robonewbie.network import ACTIVATIONS  # noqa: F401
 from robonewbie.simulator import RESET, SKIP, STEP, TERMINATED, Connection
 from robonewbie.train import options_of
 

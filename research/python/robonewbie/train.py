@@ -5,8 +5,8 @@
     python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
 Arguments that are omitted have the best known values for the task, which robonewbie/settings.py lists. At the end, the policy is
-evaluated in new episodes beside zero actions. The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training
-run can be interrupted at any time. The first layer of the policy normalises the observations.
+evaluated in new episodes beside zero actions. The last layer of the initial policy is zero, so all actions are zero. A checkpoint is
+written after each update, so a training run can be interrupted at any time. The first layer of the policy normalises the observations.
 """
 
 import argparse
@@ -43,7 +43,8 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     """Formats a policy for org.robonewbie.agent.policy.PolicyText. Layers come from :func:`torch_layers`; a tuple of weights, biases and
     activation, such as "tanh", is a fully connected layer. Packed weights take a fifth of the space, and are rounded.
 
-    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle. If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
+    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle. If ``walk``
+    contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:

@@ -77,7 +77,7 @@ class OnnxTest(unittest.TestCase):
 
     def test_policy_becomes_a_model_that_acts_alike(self):
         random = np.random.default_rng(3)
-        for name in evaluate.ACTIVATIONS:
+        for name in network.ACTIVATIONS:
             for last in ("tanh", "cut"):
                 with self.subTest(name, last=last):
                     layers = [(random.normal(size=(32, 12)) / 3, random.normal(size=32), name), (random.normal(size=(6, 32)) / 5, random.normal(size=6), last)]

@@ -19,8 +19,8 @@ import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
 /**
- * Lets a program play as a T1 that has all it can react to: its joints reach their targets at once, and the ball is far away, then near,
- * then at its feet, then on its way to the goal.
+ * Runs a program as a T1 against a scripted server. Joints reach their targets immediately; the ball is far away at first, then nearby,
+ * then at the robot's feet, and finally on its way to the goal.
  */
 public final class ExamplesOnT1 {
 

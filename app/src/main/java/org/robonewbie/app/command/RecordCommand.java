@@ -243,7 +243,7 @@ final class RecordCommand implements Callable<Integer> {
         });
     }
 
-    /** Returns the pose among the options of the agent, unless it has options of its own, which only the agent can read. */
+    /** Returns the starting pose that the agent's options set; empty if they include options that the agent itself defines. */
     private Optional<Pose2d> pose() {
         try {
             return Options.of(agentAndOptions.stream().skip(1).toArray(String[]::new))

@@ -20,8 +20,8 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * Plays a policy that was trained by {@code robonewbie learn} or the Python package, using only the robot's sensors.
- * The network's outputs are joint speeds, or joint offsets, which are added to the posture in which the policy started, or to the motion
- * that the policy contains. Each action is held for as many cycles as in training.
+ * The network's outputs are joint speeds, or joint offsets, which are added to the posture in which the policy started, or to the
+ * motion that the policy contains. Each action is held for as many cycles as in training.
  *
  * <pre>{@code
  * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick-to"));

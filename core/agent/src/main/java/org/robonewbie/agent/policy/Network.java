@@ -6,7 +6,8 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * Small neural network. It never changes: what a recurrent layer remembers is in an {@link InferenceSession}. Equal parameters and inputs yield equal outputs on every platform.
+ * Small neural network. It is immutable; the state of recurrent layers is in an {@link InferenceSession}. Equal parameters and inputs
+ * yield equal outputs on every platform.
  *
  * <pre>{@code
  * Network network = Network.of(new int[] {2, 8, 1}, numbers);

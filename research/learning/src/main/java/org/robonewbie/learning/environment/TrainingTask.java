@@ -32,7 +32,8 @@ import org.robonewbie.trial.measure.Pushes;
  * for a step is the increase in the value. A fall terminates the episode.
  *
  * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the initial posture,
- * in units of {@link #rangeDegrees}, or with the option {@code speeds} the joint's speed. Subclasses override the defaults as needed; a custom task must have a public no-arg constructor.
+ * in units of {@link #rangeDegrees}, or with the option {@code speeds} the joint's speed. Subclasses override the defaults as needed; a
+ * custom task must have a public no-arg constructor.
  *
  * <pre>{@code
  * public final class Squat extends TrainingTask {

@@ -10,7 +10,8 @@ import java.util.stream.IntStream;
 import org.robonewbie.agent.policy.Policy;
 
 /**
- * Environments of one connection, which are stepped in parallel unless the client computes the physics. Requests and responses are in the binary format of docs/gym-protocol.md.
+ * Environments of one connection, which are stepped in parallel unless the client computes the physics. Requests and responses are in
+ * the binary format of docs/gym-protocol.md.
  */
 final class VectorEnvironment implements AutoCloseable {
 
