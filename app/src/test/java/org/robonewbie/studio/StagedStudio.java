@@ -122,7 +122,7 @@ final class StagedStudio implements AutoCloseable {
         Optional<EventBus> board = search.<EventBus>map(StagedSearch::feed).or(() -> wall.map(StagedWall::wall));
         return board.isPresent()
                 ? StudioServer.start(shown, port, token, folders, board)
-                : StudioServer.start(shown, port, token, folders, course::answer, programs);
+                : StudioServer.start(shown, port, token, folders, Optional.of(course::answer), Optional.of(programs));
     }
 
     private static boolean isSet(JsonObject request, String key) {

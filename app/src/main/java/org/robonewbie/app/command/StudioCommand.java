@@ -3,7 +3,9 @@ package org.robonewbie.app.command;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.studio.LocalStudio;
 import org.robonewbie.app.studio.OpenedFile;
@@ -103,7 +105,8 @@ final class StudioCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
-        StudioServer view = LocalStudio.open(simulation, port, opened, language.language(), Optional.empty());
+        StudioServer view =
+                LocalStudio.open(simulation, port, opened, language.language(), List.of(), Optional.empty());
         String place = monitor.isPresent() && file.isEmpty() ? "#field" : opened.place();
         URI address = URI.create(view.oneTimeAddress() + place);
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
@@ -158,6 +161,7 @@ final class StudioCommand implements Callable<Integer> {
             return MonitoredSimulation.connect(
                     address.host(),
                     address.port(),
+                    OptionalInt.empty(),
                     () -> RecordingRepository.ofUser().flatMap(repository -> repository.next("")));
         } catch (WrongPortException agentPort) {
             throw new CalledWronglyException(String.valueOf(agentPort.getMessage()));

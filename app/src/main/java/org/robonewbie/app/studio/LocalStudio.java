@@ -43,42 +43,55 @@ public final class LocalStudio implements FullStudio {
     @Override
     public StudioServer open(SimulationControl simulation, int port, HostProgram program) throws IOException {
         String name = started.isEmpty() ? program.name() : started.get(0);
-        List<String> options = started.stream().skip(1).toList();
+        List<String> options =
+                started.isEmpty() ? List.of("--robot", program.robot()) : started.subList(1, started.size());
         OpenedFile opened = OpenedFile.of(Optional.of(name)
                 .filter(given -> given.endsWith(ENDING))
                 .map(Path::of)
                 .or(() -> sourceOf(name)));
         Optional<FirstProgram> first = opened.program()
-                .map(path -> new FirstProgram(path, "", options, program))
-                .or(() -> copyOf(name, opened.programs()).map(path -> new FirstProgram(path, name, options, program)));
+                .map(path -> new FirstProgram(path, "", program))
+                .or(() -> copyOf(name, opened.programs()).map(path -> new FirstProgram(path, name, program)));
         Language language = Optional.ofNullable(System.getenv(Language.VARIABLE))
                 .flatMap(Language::of)
                 .orElse(Language.ENGLISH);
-        return open(simulation, port, opened, language, first);
+        return open(simulation, port, opened, language, options, first);
     }
 
     /**
-     * Opens the studio.
+     * Opens the studio. Without an agent port for this computer's programs, it cannot run any; in a simulation of another process, it
+     * has no exercises.
      *
      * @param simulation the simulation to show
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param opened the file to open, and the folders that the pages may access
      * @param language language of the exercises
+     * @param options options for the robots of all programs
      * @param first the program that is running, if there is one
      * @return the open studio
      * @throws IOException if the port cannot be opened
      */
     public static StudioServer open(
-            SimulationControl simulation, int port, OpenedFile opened, Language language, Optional<FirstProgram> first)
+            SimulationControl simulation,
+            int port,
+            OpenedFile opened,
+            Language language,
+            List<String> options,
+            Optional<FirstProgram> first)
             throws IOException {
         ShownSimulation shown = new ShownSimulation(simulation);
         LocalCourseHost host = new LocalCourseHost(opened.programs(), simulation, shown);
         CourseService course = new CourseService(ProgressService.ofUser(), host, System.getProperty("user.name", ""));
         course.setLanguage(language.code());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs(), first);
+        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs(), options, first);
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
-        return StudioViewer.open(shown, port, opened.folders(), course::answer, workshop);
+        return StudioViewer.open(
+                shown,
+                port,
+                opened.folders(),
+                simulation.hasClock() ? Optional.of(course::answer) : Optional.empty(),
+                simulation.agentPort().isPresent() ? Optional.of(workshop) : Optional.empty());
     }
 
     /** Returns the source file of a class in the working directory or its Maven project. */

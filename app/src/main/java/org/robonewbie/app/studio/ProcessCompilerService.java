@@ -23,6 +23,7 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     private final Path folder;
     private final WaitingProcess processes;
     private final ExampleSources sources = new ExampleSources();
+    private final List<String> options;
     private final Optional<FirstProgram> first;
 
     /**
@@ -31,17 +32,19 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
      * @param folder folder of the programs
      */
     public ProcessCompilerService(Path folder) {
-        this(folder, Optional.empty());
+        this(folder, List.of(), Optional.empty());
     }
 
     /**
      * Creates the service for a studio opened by a program that is already running.
      *
      * @param folder folder of the programs
+     * @param options options for the robots of all programs
      * @param first the program that is already running, if there is one
      */
-    public ProcessCompilerService(Path folder, Optional<FirstProgram> first) {
+    public ProcessCompilerService(Path folder, List<String> options, Optional<FirstProgram> first) {
         this.folder = folder;
+        this.options = List.copyOf(options);
         this.first = first;
         this.processes = new WaitingProcess(folder);
     }
@@ -91,10 +94,10 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
             throw new IllegalArgumentException(refused.getMessage(), refused);
         }
         beforeStart.run();
-        List<String> options = new ArrayList<>(first.map(FirstProgram::options).orElse(List.of()));
-        options.addAll(List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless"));
+        List<String> all = new ArrayList<>(options);
+        all.addAll(List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless"));
         RunningProgram program =
-                new ProgramInProcess(processes.start(source.className(), classes.path(), options), classes);
+                new ProgramInProcess(processes.start(source.className(), classes.path(), all), classes);
         processes.prepare();
         return Optional.of(program);
     }

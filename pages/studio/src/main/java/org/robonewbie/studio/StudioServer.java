@@ -121,24 +121,16 @@ public final class StudioServer implements Viewer.View {
         return port -> new SignIn(token, port, InstantSource.system());
     }
 
-    /** Starts the studio with exercises. */
-    static StudioServer start(
-            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, PageService course)
-            throws IOException {
-        Lessons lessons = new Lessons(Optional.of(course), Optional.empty());
-        return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
-    }
-
     /** Starts the studio with exercises and programs. */
     static StudioServer start(
             SimulationControl simulation,
             int port,
             AccessToken token,
             StudioFolders folders,
-            PageService course,
-            CompilerService compiler)
+            Optional<PageService> course,
+            Optional<CompilerService> compiler)
             throws IOException {
-        Lessons lessons = new Lessons(Optional.of(course), Optional.of(compiler));
+        Lessons lessons = new Lessons(course, compiler);
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 

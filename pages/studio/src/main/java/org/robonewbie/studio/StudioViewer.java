@@ -65,13 +65,17 @@ public final class StudioViewer implements Viewer {
      * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1; 0 for the default port, or for any free port if that one is in use
      * @param folders the folders that the pages may access
-     * @param course the exercises
-     * @param compiler compiles and starts programs
+     * @param course the exercises; empty for a studio without any
+     * @param compiler compiles and starts programs; empty for a studio without any
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
     public static StudioServer open(
-            SimulationControl simulation, int port, StudioFolders folders, PageService course, CompilerService compiler)
+            SimulationControl simulation,
+            int port,
+            StudioFolders folders,
+            Optional<PageService> course,
+            Optional<CompilerService> compiler)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         return open(port, any -> StudioServer.start(simulation, any, token, folders, course, compiler));

@@ -17,7 +17,12 @@ final class WholeStudio implements AutoCloseable {
         ShownSimulation shown = new ShownSimulation(simulation);
         StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
         studio = StudioServer.start(
-                shown, 0, AccessToken.random(), folders, new SmallCourse(), new SmallWorkshop(folder));
+                shown,
+                0,
+                AccessToken.random(),
+                folders,
+                Optional.of(new SmallCourse()),
+                Optional.of(new SmallWorkshop(folder)));
     }
 
     /** A new address of the page, to which options and the room can be appended. */

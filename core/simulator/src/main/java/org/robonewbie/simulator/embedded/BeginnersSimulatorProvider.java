@@ -29,17 +29,9 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
 
     @Override
     public EmbeddedSimulator start(SimulatorRequest request) throws IOException {
-        Console console = Console.standard();
-        Simulator simulator = Simulator.start(settings(request), console);
-        try {
-            LocalProgram program = new LocalProgram(simulator, request.agent(), console);
-            Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator, program);
-            return new ViewedSimulator(
-                    simulator, program, view.map(opened -> OpenedView.of(opened, request.openBrowser())));
-        } catch (IOException e) {
-            simulator.close();
-            throw e;
-        }
+        Simulator simulator = Simulator.start(settings(request), Console.standard());
+        return ViewedSimulator.open(
+                simulator, request, ServiceLoader.load(Viewer.class).findFirst());
     }
 
     private static SimulatorSettings settings(SimulatorRequest request) throws IOException {
@@ -71,10 +63,5 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         return request.headless()
                 ? Optional.empty()
                 : RecordingRepository.ofUser().flatMap(recordings -> recordings.next(request.agent()));
-    }
-
-    private static Optional<Viewer.View> openView(Simulator simulator, HostProgram program) throws IOException {
-        Optional<Viewer> viewer = ServiceLoader.load(Viewer.class).findFirst();
-        return viewer.isEmpty() ? Optional.empty() : Optional.of(viewer.get().open(simulator.control(), 0, program));
     }
 }

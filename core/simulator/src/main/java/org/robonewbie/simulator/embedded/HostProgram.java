@@ -6,6 +6,9 @@ public interface HostProgram {
     /** {@return the simple name of the program's class; empty if unknown} */
     String name();
 
+    /** {@return the name of the robot with which the program plays, such as {@code NAO}} */
+    String robot();
+
     /** {@return whether the program's robots are on the pitch} */
     boolean isRunning();
 

@@ -1,27 +1,29 @@
 package org.robonewbie.simulator.embedded;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.JoinableSimulator;
 
-/** The agents in the simulator's process. */
+/** The agents in this process. */
 final class LocalProgram implements HostProgram {
 
-    private final Simulator simulator;
-    private final String name;
+    private final JoinableSimulator simulator;
+    private final SimulatorRequest request;
     private final Console console;
     private final List<AgentLink> robots = new CopyOnWriteArrayList<>();
     private volatile boolean isEnded;
 
-    LocalProgram(Simulator simulator, String name, Console console) {
+    LocalProgram(JoinableSimulator simulator, SimulatorRequest request, Console console) {
         this.simulator = simulator;
-        this.name = name;
+        this.request = request;
         this.console = console;
     }
 
-    AgentLink connect() {
+    AgentLink connect() throws IOException {
         AgentLink robot = simulator.connect();
         robots.add(robot);
         return robot;
@@ -29,7 +31,12 @@ final class LocalProgram implements HostProgram {
 
     @Override
     public String name() {
-        return name;
+        return request.agent();
+    }
+
+    @Override
+    public String robot() {
+        return request.robot();
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.JoinableSimulator;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.recording.RunReport;
 
@@ -22,7 +23,7 @@ import org.robonewbie.simulator.recording.RunReport;
  * }
  * }</pre>
  */
-public final class Simulator implements AutoCloseable {
+public final class Simulator implements JoinableSimulator {
 
     private final Simulation simulation;
     private final AgentPort port;
@@ -52,6 +53,7 @@ public final class Simulator implements AutoCloseable {
     }
 
     /** {@return the TCP port for agents; 0 if there are team endpoints instead} */
+    @Override
     public int agentPort() {
         return port.number(Optional.empty());
     }
@@ -98,11 +100,13 @@ public final class Simulator implements AutoCloseable {
      *
      * @return the agent's end of the connection
      */
+    @Override
     public AgentLink connect() {
         return simulation.acceptor().connect();
     }
 
     /** {@return the thread-safe control of the simulation} */
+    @Override
     public SimulationControl control() {
         return simulation;
     }
@@ -140,6 +144,7 @@ public final class Simulator implements AutoCloseable {
      *
      * @throws InterruptedException if this thread is interrupted
      */
+    @Override
     public void awaitEnd() throws InterruptedException {
         thread.join();
     }

@@ -3,8 +3,12 @@ package org.robonewbie.simulator.embedded;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.cycle.WorldSettings;
@@ -19,7 +23,7 @@ class LocalProgramTest {
         SimulatorSettings settings =
                 SimulatorSettings.of(WorldSettings.beginner()).withAgentPort(0);
         Simulator simulator = Simulator.start(settings, sentence -> {});
-        LocalProgram program = new LocalProgram(simulator, "MyAgent", sentence -> {});
+        LocalProgram program = new LocalProgram(simulator, request(), sentence -> {});
         AgentLink robot = program.connect();
         assertThat(program.isRunning()).isTrue();
 
@@ -32,5 +36,22 @@ class LocalProgramTest {
         assertThat(simulator.report()).isEmpty();
         simulator.close();
         waiting.join();
+    }
+
+    private static SimulatorRequest request() {
+        return new SimulatorRequest(
+                "NAO",
+                0,
+                OptionalLong.empty(),
+                false,
+                OptionalDouble.empty(),
+                true,
+                false,
+                false,
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                1,
+                "MyAgent");
     }
 }

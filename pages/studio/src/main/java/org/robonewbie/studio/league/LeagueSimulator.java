@@ -2,30 +2,50 @@ package org.robonewbie.studio.league;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.robonewbie.protocol.embedded.EmbeddedSimulator;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
-import org.robonewbie.protocol.telemetry.TelemetrySink;
-import org.robonewbie.simulator.embedded.OpenedView;
+import org.robonewbie.simulator.JoinableSimulator;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
-/**
- * A running RCSSServerMJ.
- *
- * @param agentPort its TCP port for agents
- * @param started the server, if this program has started it
- * @param match the match as its monitors see it; empty without a view
- * @param view the studio; empty without a view
- */
-record LeagueSimulator(
-        int agentPort, Optional<LeagueServer> started, Optional<MonitoredSimulation> match, Optional<OpenedView> view)
-        implements EmbeddedSimulator {
+/** A running RCSSServerMJ on this computer. */
+final class LeagueSimulator implements JoinableSimulator {
 
     static final String HOST = "127.0.0.1";
+
+    private final int agentPort;
+    private final int monitorPort;
+    private final String agent;
+    private final Optional<LeagueServer> started;
+    private final CountDownLatch end = new CountDownLatch(1);
+    private volatile Optional<MonitoredSimulation> match = Optional.empty();
+
+    /**
+     * Creates the simulator.
+     *
+     * @param agentPort TCP port for agents
+     * @param monitorPort TCP port for monitors
+     * @param agent name of the program, for the recording
+     * @param started the server, if this program has started it
+     */
+    LeagueSimulator(int agentPort, int monitorPort, String agent, Optional<LeagueServer> started) {
+        this.agentPort = agentPort;
+        this.monitorPort = monitorPort;
+        this.agent = agent;
+        this.started = started;
+    }
 
     @Override
     public AgentLink connect() throws IOException {
         return TcpAgentLink.connect(HOST, agentPort);
+    }
+
+    @Override
+    public int agentPort() {
+        return agentPort;
     }
 
     @Override
@@ -39,20 +59,27 @@ record LeagueSimulator(
                 + agentPort;
     }
 
+    /** Returns the match as its monitors see it; it is recorded from now on. */
     @Override
-    public Optional<String> studioAddress() {
-        return view.map(OpenedView::address);
+    public SimulationControl control() throws IOException {
+        MonitoredSimulation watched = MonitoredSimulation.connect(
+                HOST,
+                monitorPort,
+                OptionalInt.of(agentPort),
+                () -> RecordingRepository.ofUser().flatMap(recordings -> recordings.next(agent)));
+        match = Optional.of(watched);
+        return watched;
     }
 
     @Override
-    public TelemetrySink telemetry() {
-        return view.map(opened -> opened.view().telemetry()).orElse(TelemetrySink.NONE);
+    public void awaitEnd() throws InterruptedException {
+        end.await();
     }
 
     @Override
     public void close() {
-        view.ifPresent(opened -> opened.view().close());
         match.ifPresent(MonitoredSimulation::close);
         started.ifPresent(LeagueServer::close);
+        end.countDown();
     }
 }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
@@ -54,6 +55,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
 
     private final String host;
     private final int port;
+    private final OptionalInt agentPort;
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
     private final Thread thread = new Thread(this::listen, "studio-monitor");
     private final MonitorClock clock = new MonitorClock();
@@ -72,10 +74,12 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     private boolean hasProblem;
     private MonitoredGame lastGame = MonitoredGame.UNKNOWN;
 
-    private MonitoredSimulation(String host, int port, Supplier<Optional<Path>> recording, MonitorLink link) {
+    private MonitoredSimulation(
+            String host, int port, OptionalInt agentPort, Supplier<Optional<Path>> recording, MonitorLink link) {
         this.recording = recording;
         this.host = host;
         this.port = port;
+        this.agentPort = agentPort;
         this.link = link;
         thread.setDaemon(true);
     }
@@ -89,7 +93,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
      * @throws IOException if no server responds; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port) throws IOException {
-        return connect(host, port, Optional::empty);
+        return connect(host, port, OptionalInt.empty(), Optional::empty);
     }
 
     /**
@@ -97,16 +101,17 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
      *
      * @param host host name or IP address of the server
      * @param port its monitor port
+     * @param agentPort its agent port, if the studio may start programs that join it
      * @param recording names the file to which a match of RCSSServerMJ is recorded; called once such a match is seen
      * @return the remote simulation
      * @throws WrongPortException if the port is an agent port
      * @throws IOException if no server responds; the message says what to do
      */
-    public static MonitoredSimulation connect(String host, int port, Supplier<Optional<Path>> recording)
-            throws IOException {
+    public static MonitoredSimulation connect(
+            String host, int port, OptionalInt agentPort, Supplier<Optional<Path>> recording) throws IOException {
         MonitorLink link = MonitorLink.connect(host, port);
         link.send(new Order.RequestFullState());
-        MonitoredSimulation simulation = new MonitoredSimulation(host, port, recording, link);
+        MonitoredSimulation simulation = new MonitoredSimulation(host, port, agentPort, recording, link);
         simulation.thread.start();
         simulation.awaitFirstMessage();
         return simulation;
@@ -196,8 +201,10 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
         WorldSnapshot snapshot =
                 MonitorSnapshots.of(world, clock.cycle(), clock.realTimeFactor(), clock.isStandingStill());
         record(world, snapshot);
-        lastSnapshot = Optional.of(snapshot);
-        observers.forEach(observer -> observer.cycleEnded(snapshot));
+        synchronized (observers) {
+            lastSnapshot = Optional.of(snapshot);
+            observers.forEach(observer -> observer.cycleEnded(snapshot));
+        }
     }
 
     /** Records a match of RCSSServerMJ, which keeps no recording that could be replayed without this program. */
@@ -260,6 +267,11 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     }
 
     @Override
+    public OptionalInt agentPort() {
+        return agentPort;
+    }
+
+    @Override
     public boolean hasClock() {
         return false;
     }
@@ -310,9 +322,13 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                 new Order.MoveBall(new Vector3(0, 0, SoccerField.BALL_RADIUS), Vector3.ZERO));
     }
 
+    /** Adds an observer, and passes it the last scene: the server may never send another one. */
     @Override
     public void addObserver(SimulationObserver observer) {
-        observers.add(observer);
+        synchronized (observers) {
+            observers.add(observer);
+            lastSnapshot.ifPresent(observer::cycleEnded);
+        }
     }
 
     @Override

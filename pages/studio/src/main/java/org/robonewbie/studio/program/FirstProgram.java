@@ -1,6 +1,5 @@
 package org.robonewbie.studio.program;
 
-import java.util.List;
 import org.robonewbie.simulator.embedded.HostProgram;
 
 /**
@@ -8,10 +7,9 @@ import org.robonewbie.simulator.embedded.HostProgram;
  *
  * @param path path of its file; for an example, the path of the copy to be created
  * @param example name of the example; empty for one of the user's own programs
- * @param options arguments of its {@code main}, which are also passed to its later versions
  * @param program the program, which ends when a page replaces it
  */
-public record FirstProgram(String path, String example, List<String> options, HostProgram program) {
+public record FirstProgram(String path, String example, HostProgram program) {
 
     /** {@return the program; its output goes to the terminal only} */
     RunningProgram running() {

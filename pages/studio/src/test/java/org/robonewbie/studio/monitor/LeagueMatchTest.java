@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
@@ -154,11 +156,28 @@ class LeagueMatchTest {
     }
 
     @Test
+    void observerWhoComesLateSeesTheLastScene() throws Exception {
+        try (ScriptedMonitorPort server = new ScriptedMonitorPort(messages().subList(0, 1));
+                MonitoredSimulation match = MonitoredSimulation.connect("127.0.0.1", server.number())) {
+            CompletableFuture<WorldSnapshot> seen = new CompletableFuture<>();
+
+            match.addObserver(new SimulationObserver() {
+                @Override
+                public void cycleEnded(WorldSnapshot snapshot) {
+                    seen.complete(snapshot);
+                }
+            });
+
+            assertThat(seen.get().robots()).isNotEmpty();
+        }
+    }
+
+    @Test
     void watchedMatchIsRecordedWithItsRobots() throws Exception {
         Path recording = folder.resolve("watched.rec");
         try (ScriptedMonitorPort server = new ScriptedMonitorPort(messages());
-                MonitoredSimulation match =
-                        MonitoredSimulation.connect("127.0.0.1", server.number(), () -> Optional.of(recording))) {
+                MonitoredSimulation match = MonitoredSimulation.connect(
+                        "127.0.0.1", server.number(), OptionalInt.empty(), () -> Optional.of(recording))) {
             CountDownLatch kickOff = new CountDownLatch(1);
             match.addObserver(new SimulationObserver() {
                 @Override

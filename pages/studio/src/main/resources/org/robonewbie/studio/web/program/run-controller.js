@@ -186,7 +186,9 @@ export class RunController {
     const { file, list } = this.room.files;
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
-    this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
+    this.world.hidden = !this.room.surroundings.hasClock();
+    this.stopButton.hidden = !isRunning;
+    this.restartButton.hidden = this.stepButton.hidden = !isRunning || this.world.hidden;
     const { status } = this.room.exercises;
     const isTrouble = status === '' && this.now.state === 'ENDED' && this.now.exitCode !== 0;
     this.#showState(

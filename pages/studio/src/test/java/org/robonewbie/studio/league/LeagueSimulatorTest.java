@@ -18,10 +18,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.embedded.ViewedSimulator;
 import org.robonewbie.simulator.embedded.Viewer;
 
 @Timeout(60)
-class LeagueSimulatorProviderTest {
+class LeagueSimulatorTest {
 
     private static final byte[] MESSAGE = "((RSMP 1 0)((gt 1 0)0.04))".getBytes(StandardCharsets.US_ASCII);
 
@@ -30,8 +31,8 @@ class LeagueSimulatorProviderTest {
         try (ServerSocket monitorPort = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             CompletableFuture<Boolean> closed = CompletableFuture.supplyAsync(() -> isClosedByItsClient(monitorPort));
 
-            assertThatThrownBy(() -> LeagueSimulatorProvider.watched(
-                            new NoViewer(), request(), Optional.empty(), monitorPort.getLocalPort()))
+            LeagueSimulator simulator = new LeagueSimulator(0, monitorPort.getLocalPort(), "Test", Optional.empty());
+            assertThatThrownBy(() -> ViewedSimulator.open(simulator, request(), Optional.of(new NoViewer())))
                     .hasMessage("no port");
 
             assertThat(closed.get()).isTrue();
