@@ -44,8 +44,13 @@ record BallOnWay(Translation2d ball, double turn) {
      * the feet.
      */
     boolean isInCone(double metres, double slope) {
+        return isInCone(metres, slope, MAX_TURN);
+    }
+
+    /** Returns the same for a robot that may face the path at a given angle in degrees. */
+    boolean isInCone(double metres, double slope, double maxTurn) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);
-        return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MAX_TURN;
+        return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= maxTurn;
     }
 
     /** Makes the robot walk to the position behind the ball, around the ball if necessary. */

@@ -64,9 +64,12 @@ public final class Dribble {
         }
     }
 
+    /** Aims at a point behind the ball, so that a robot that is beside the path curves back to it. */
     private void pushWithoutSideSteps(WorldModel world, BallOnWay way) {
-        if (way.isInCone(WIDE_CONE_METRES, CONE_SLOPE)) {
-            walk.towards(Footwork.speed(world), 0, TURN * (way.ball().degrees() + way.turn()) / 2);
+        if (way.isInCone(WIDE_CONE_METRES, CONE_SLOPE, CHARGE_DEGREES)) {
+            Translation2d aim =
+                    way.ball().minus(Translation2d.polar(way.turn(), way.ball().length() / 2));
+            walk.towards(Footwork.speed(world), 0, TURN * aim.degrees());
         } else {
             way.getBehind(feet, world);
         }
