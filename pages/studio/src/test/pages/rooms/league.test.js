@@ -13,7 +13,10 @@ import { folderWith, startCommand } from '../stage.js';
 import { atEnd, picture, slow } from '../tests.js';
 import { FOR_PICTURES, newUser } from '../user.js';
 
-const LOG = new URL('../../resources/org/robonewbie/studio/monitor/rsmp_t1_k1_goal_foul.log.gz', import.meta.url);
+const LOGS = new URL('../../resources/org/robonewbie/studio/monitor/', import.meta.url);
+const LOG = new URL('rsmp_t1_k1_goal_foul.log.gz', LOGS);
+/** A T1 waves, then walks ahead. */
+const WAVE_AND_WALK = new URL('rsmp_t1_wave_walk.log.gz', LOGS);
 const FOUL = '2 lies on the ground for too long';
 const STANDING_T1 = [-3, 4, 0.6];
 
@@ -27,18 +30,18 @@ async function openByCommand(t, folder, words, { quality = 'lowest', theme = 'li
   return { user, folder };
 }
 
-/** Opens the log in the Replay room, and waits until it is shown at a moment. */
-async function openLog(t, seconds, look) {
-  const folder = await folderWith(t, { 'match.log.gz': await readFile(LOG) });
+/** Opens a log in the Replay room, and waits until it is shown at a moment. */
+async function openLog(t, seconds, look, log = LOG) {
+  const folder = await folderWith(t, { 'match.log.gz': await readFile(log) });
   const { user } = await openByCommand(t, folder, ['match.log.gz'], look);
-  await user.sees('of 21.36 s');
+  await user.sees(log === LOG ? 'of 21.36 s' : 'of 12.96 s');
   await goTo(user, seconds);
   return { user, folder };
 }
 
 async function goTo(user, seconds) {
   await user.follows(`replay/match@${seconds}`);
-  await user.sees(`${seconds.toFixed(2)} of 21.36 s`);
+  await user.sees(`${seconds.toFixed(2)} of `);
 }
 
 /** Serves the messages of the log as a monitor port: the first at once, and all others after an order to kick off. */
@@ -170,4 +173,20 @@ picture('the documentation shows the league of today', async (t) => {
   await user.looks({ target: [-0.3, 0.3, 0.3], azimuthDegrees: -60, elevationDegrees: 12, distance: 5.5 });
 
   await user.takesAPicture('league');
+});
+
+picture('the documentation shows a T1 that waves', async (t) => {
+  const { user } = await openLog(t, 4, FOR_PICTURES, WAVE_AND_WALK);
+
+  await user.looks({ target: [-2, 0.3, 0.6], azimuthDegrees: 25, elevationDegrees: 8, distance: 3.2 });
+
+  await user.takesAPicture('t1-waves');
+});
+
+picture('the documentation shows a T1 that walks', async (t) => {
+  const { user } = await openLog(t, 11, FOR_PICTURES, WAVE_AND_WALK);
+
+  await user.looks({ target: [-1.3, 0.3, 0.5], azimuthDegrees: -60, elevationDegrees: 8, distance: 3.2 });
+
+  await user.takesAPicture('t1-walks');
 });

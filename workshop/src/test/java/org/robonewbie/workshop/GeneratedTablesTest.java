@@ -206,21 +206,11 @@ class GeneratedTablesTest {
 
     /** One row for each group of examples to which the framework reports the same restrictions. */
     private static List<String> examplesOnT1() {
-        Map<String, String> restrictions = new LinkedHashMap<>();
-        restrictions.put("commands and motions for its legs are ignored", "its motions of the legs");
-        restrictions.put("cannot walk sideways", "walking sideways");
-        restrictions.put("cannot walk backwards", "walking backwards");
-        restrictions.put("has no force sensors in its feet", "the force on its feet, which is 0");
-        restrictions.put("can say at most 10 characters", "what it says, which is too long");
         List<List<String>> cells = new ArrayList<>();
         Map<String, Class<? extends Agent>> examples = ExampleLoad.examples();
         examples.remove("Agent_KeyframeDeveloper"); // plays a file that it creates
         examples.forEach((name, type) -> {
-            List<String> reports = ExamplesOnT1.reports(ExampleLoad.agents(type).get(0));
-            String missing = restrictions.entrySet().stream()
-                    .filter(restriction -> reports.stream().anyMatch(report -> report.contains(restriction.getKey())))
-                    .map(Map.Entry::getValue)
-                    .collect(Collectors.joining("; "));
+            String missing = ExamplesOnT1.missing(ExampleLoad.agents(type).get(0));
             cells.add(List.of(name, missing.isEmpty() ? "everything" : "all but " + missing));
         });
         return grouped(header("example", "what plays on a T1"), cells);

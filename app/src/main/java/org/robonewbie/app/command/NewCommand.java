@@ -62,13 +62,7 @@ final class NewCommand implements Callable<Integer> {
             names = "--robot",
             paramLabel = "ROBOT",
             description = "The robot: NAO, or T1 for the server of today's league (default: NAO).")
-    private Robot robot = Robot.NAO;
-
-    /** The robots that a project can begin with. */
-    enum Robot {
-        NAO,
-        T1
-    }
+    private NewProject.Robot robot = NewProject.Robot.NAO;
 
     @Override
     public Integer call() throws IOException {
@@ -94,12 +88,8 @@ final class NewCommand implements Callable<Integer> {
                             + " character \"" + character + "\": " + project.toAbsolutePath()
                             + ". Create it in another folder.");
         });
-        if (robot == Robot.T1 && origin == NewProject.Origin.TEAM) {
-            throw new CalledWronglyException("The example team plays with NAOs: leave out --from team or --robot T1.");
-        }
-        NewProject.Origin content = robot == Robot.T1 ? NewProject.Origin.T1 : origin;
         Path jar = ownJar();
-        new NewProject(folder, chosen, tool, content, jar, ProgramVersion.of(jar)).create(project);
+        new NewProject(folder, chosen, tool, origin, robot, jar, ProgramVersion.of(jar)).create(project);
         System.out.println("Created the project " + project.toAbsolutePath() + System.lineSeparator()
                 + "Next steps: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()

@@ -34,7 +34,14 @@ class NewCommandTest {
         Path sources = Files.writeString(folder.resolve("robonewbie-sources.jar"), "its sources");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0.0")
+        new NewProject(
+                        "my-team",
+                        "org.example.team",
+                        BuildTool.MAVEN,
+                        NewProject.Origin.AGENT,
+                        NewProject.Robot.NAO,
+                        jar,
+                        "2.0.0")
                 .create(project);
 
         assertThat(project.resolve(LIBRARY + ".jar")).hasSameBinaryContentAs(jar);
@@ -58,7 +65,14 @@ class NewCommandTest {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "org.example.team", BuildTool.MAVEN, NewProject.Origin.TEAM, jar, "2.0")
+        new NewProject(
+                        "my-team",
+                        "org.example.team",
+                        BuildTool.MAVEN,
+                        NewProject.Origin.TEAM,
+                        NewProject.Robot.NAO,
+                        jar,
+                        "2.0")
                 .create(project);
 
         assertThat(mistakesIn(project, "src/main/java/org/example/team/MyAgent.java"))
@@ -78,7 +92,8 @@ class NewCommandTest {
         Path project = folder.resolve("my-team");
         String own = Project.read(Project.ROOT.resolve("pom.xml"));
 
-        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0").create(project);
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, NewProject.Robot.NAO, jar, "2.0")
+                .create(project);
 
         assertThat(Files.readString(project.resolve("pom.xml"))
                         .lines()
@@ -93,7 +108,8 @@ class NewCommandTest {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "team", BuildTool.GRADLE, NewProject.Origin.AGENT, jar, "2.0.0").create(project);
+        new NewProject("my-team", "team", BuildTool.GRADLE, NewProject.Origin.AGENT, NewProject.Robot.NAO, jar, "2.0.0")
+                .create(project);
 
         assertThat(project.resolve("build.gradle"))
                 .content()
@@ -113,11 +129,12 @@ class NewCommandTest {
     }
 
     @Test
-    void projectForAT1HasItsOwnAgentTestAndSettings() throws IOException {
+    void projectForAT1HasItsOwnTestAndSettings() throws IOException {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.T1, jar, "2.0.0").create(project);
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, NewProject.Robot.T1, jar, "2.0.0")
+                .create(project);
 
         assertThat(project.resolve("robonewbie.properties")).content().contains("robot = T1");
         assertThat(project.resolve("README.md"))
@@ -126,14 +143,28 @@ class NewCommandTest {
                 .doesNotContain("{{");
         assertThat(mistakesIn(project, "src/main/java/team/MyAgent.java")).isEmpty();
         assertThat(mistakesIn(project, "src/test/java/team/MyAgentTest.java")).isEmpty();
+        assertThat(mistakesIn(project, "src/test/java/team/T1Test.java")).isEmpty();
     }
 
     @Test
-    void teamOfT1IsRefused() {
-        Printed printed = Printed.by("new", folder.resolve("team").toString(), "--from", "team", "--robot", "T1");
+    void teamOfT1HasTheSourcesOfTheTeamAndTheSettingsOfT1() throws IOException {
+        Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
+        Path project = folder.resolve("my-team");
+
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.TEAM, NewProject.Robot.T1, jar, "2.0")
+                .create(project);
+
+        assertThat(project.resolve("src/main/java/team/tactics/Strategy.java")).exists();
+        assertThat(project.resolve("robonewbie.properties")).content().contains("robot = T1");
+        assertThat(project.resolve("README.md")).content().contains("## Your team", "## Your T1");
+    }
+
+    @Test
+    void robotIsNoOrigin() {
+        Printed printed = Printed.by("new", folder.resolve("team").toString(), "--from", "t1");
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("The example team plays with NAOs");
+        assertThat(printed.err()).contains("--from");
     }
 
     @Test
@@ -173,7 +204,8 @@ class NewCommandTest {
         Path jar = Files.writeString(folder.resolve("robonewbie.jar"), "the program");
         Path project = folder.resolve("my-team");
 
-        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, jar, "2.0").create(project);
+        new NewProject("my-team", "team", BuildTool.MAVEN, NewProject.Origin.AGENT, NewProject.Robot.NAO, jar, "2.0")
+                .create(project);
 
         assertThat(project.resolve("pom.xml")).content().contains("<url>${project.baseUri}lib</url>");
         assertThat(project.resolve("README.md")).content().contains("javac -encoding UTF-8 ");

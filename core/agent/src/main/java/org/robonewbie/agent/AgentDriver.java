@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.robonewbie.agent.cycle.CycleWatch;
-import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
 import org.robonewbie.agent.running.CycleOwner;
@@ -107,7 +107,7 @@ public final class AgentDriver {
     public void join(AgentLink link, Options options) throws IOException {
         agent.begin(options);
         link.offerState(new AgentState(agent));
-        LinkPort wire = new LinkPort(link, agent.runtime().sensors().buffer());
+        MessagePort wire = AgentRunner.port(agent.runtime(), link, options);
         new StartDialogue(wire, agent.runtime(), options).run(() -> {}, () -> {});
         session = new Session(agent.runtime(), wire, options.seconds(), CycleWatch.NONE);
     }

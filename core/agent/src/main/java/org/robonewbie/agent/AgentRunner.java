@@ -97,7 +97,8 @@ final class AgentRunner {
         return new Session(robot, new DeadlineMonitor(port, robot, watch::slowPlace, System::nanoTime), life, watch);
     }
 
-    private static MessagePort port(RobotRuntime robot, AgentLink link, Options options) {
+    /** Returns the port through which a robot exchanges messages, in the language of the robot's server. */
+    static MessagePort port(RobotRuntime robot, AgentLink link, Options options) {
         return options.leagueRobot()
                 .<MessagePort>map(model -> new LeaguePort(
                         link,

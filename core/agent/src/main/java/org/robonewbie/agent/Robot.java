@@ -177,6 +177,11 @@ public class Robot {
         return sensors().number();
     }
 
+    /** {@return the model of the robot: {@code NAO}, {@code T1} or {@code K1}} */
+    public final String getModelName() {
+        return sensors().modelName();
+    }
+
     /** {@return the robot type, as set by the option {@code --type}; type 0 by default} */
     public final RobotType getType() {
         return sensors().type();

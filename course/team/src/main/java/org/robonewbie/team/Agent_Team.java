@@ -22,6 +22,7 @@ import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.SetPlay;
 import org.robonewbie.team.tactics.Strategy;
+import org.robonewbie.team.talk.ShortMessage;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.Situation;
@@ -143,7 +144,7 @@ public class Agent_Team extends Agent {
         if (shouldLineUp()) {
             lineUp();
         } else if (nao.isFallen()) {
-            getUp.start();
+            getUp();
         } else if (motions.isFinished()) {
             play(strategy.plan());
         }
@@ -158,20 +159,27 @@ public class Agent_Team extends Agent {
                 && world.secondsInSituation() > STILL_SECONDS;
     }
 
+    private void getUp() {
+        if (world.abilities().movesLegs()) {
+            getUp.start();
+        }
+    }
+
     /** Beams the robot to its kick-off position, and again if the referee has moved it. */
     private void lineUp() {
-        boolean small = !Roles.isKeeper(world, 1);
-        Pose2d place = KickOffPositions.place(world.number(), !world.hasScored(), small, world.field());
+        Pose2d place = KickOffPositions.place(world, !world.hasScored());
         boolean away = world.place().distanceTo(place.translation()) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
             nao.beam(place.x(), place.y(), place.degrees());
             motions.reset();
-            motions.start("stand");
+            if (world.abilities().movesLegs()) {
+                motions.start("stand");
+            }
             world.beamed(place);
             beamedSeconds = world.seconds();
         } else if (nao.isFallen()) {
-            getUp.start();
+            getUp();
         } else {
             walk.stop();
         }
@@ -200,7 +208,7 @@ public class Agent_Team extends Agent {
     }
 
     private void keep(Plan plan) {
-        if (keeping.dive(world)) {
+        if (world.abilities().movesLegs() && keeping.dive(world)) {
             return;
         }
         if (Goalkeeping.comesOut(world)) {
@@ -213,18 +221,18 @@ public class Agent_Team extends Agent {
     private void broadcast() {
         if (Talk.isMyTurn(world.seconds(), world.number())) {
             Plan plan = strategy.plan();
-            nao.say(new TeamMessage(
-                            world.number(),
-                            world.pose(),
-                            world.isFallen(),
-                            plan.role(),
-                            world.ball(),
-                            world.ballVelocity(),
-                            world.ownBallAgeSeconds(),
-                            strategy.secondsToBall(),
-                            plan.receiver(),
-                            plan.target())
-                    .encode());
+            TeamMessage message = new TeamMessage(
+                    world.number(),
+                    world.pose(),
+                    world.isFallen(),
+                    plan.role(),
+                    world.ball(),
+                    world.ballVelocity(),
+                    world.ownBallAgeSeconds(),
+                    strategy.secondsToBall(),
+                    plan.receiver(),
+                    plan.target());
+            nao.say(world.abilities().movesLegs() ? message.encode() : ShortMessage.encode(message, nao.getTeam()));
         }
     }
 }

@@ -49,6 +49,7 @@ public final class SensorState {
     private boolean joined;
     private CameraKinematics camera = NAO::camera;
     private boolean hasFootSensors = true;
+    private String modelName = "NAO";
 
     /** Creates the state of a robot at rest. */
     public SensorState() {}
@@ -119,10 +120,12 @@ public final class SensorState {
     /**
      * Sets the equipment of a robot other than a NAO.
      *
+     * @param newModelName name of its model
      * @param newCamera where its camera is
      * @param footSensors whether it has force sensors in its feet
      */
-    public void setEquipment(CameraKinematics newCamera, boolean footSensors) {
+    public void setEquipment(String newModelName, CameraKinematics newCamera, boolean footSensors) {
+        modelName = newModelName;
         camera = newCamera;
         hasFootSensors = footSensors;
     }
@@ -130,6 +133,11 @@ public final class SensorState {
     /** {@return the pose of the camera in the torso's frame, according to the angles of the neck} */
     public Pose cameraPose() {
         return camera.pose(joints.degrees(Joint.NECK_YAW), joints.degrees(Joint.NECK_PITCH));
+    }
+
+    /** {@return name of the robot's model} */
+    public String modelName() {
+        return modelName;
     }
 
     /** {@return whether the robot has force sensors in its feet} */

@@ -75,7 +75,7 @@ public final class LeaguePort implements MessagePort {
         this.motors = new LeagueMotors(model, walk, robot.diagnostics());
         this.shared = motors.shared();
         LeagueCamera camera = new LeagueCamera(model, shared);
-        robot.sensors().setEquipment(camera, false);
+        robot.sensors().setEquipment(model.name(), camera, false);
         this.truth = truth ? Optional.of(new LeagueTruth(camera)) : Optional.empty();
         robot.walk().setLocomotion(motors);
     }

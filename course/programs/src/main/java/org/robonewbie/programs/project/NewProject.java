@@ -26,6 +26,7 @@ public final class NewProject {
     private final String packageName;
     private final BuildTool tool;
     private final Origin origin;
+    private final Robot robot;
     private final Path jar;
     private final String version;
 
@@ -33,10 +34,16 @@ public final class NewProject {
     public enum Origin {
         /** An agent that waves and turns towards the ball. */
         AGENT,
-        /** An agent that does the same as a Booster T1 on RCSSServerMJ. */
-        T1,
         /** A copy of the example team. */
         TEAM
+    }
+
+    /** Robot with which a project plays unless told otherwise. */
+    public enum Robot {
+        /** The NAO, in RoboNewbie's simulator. */
+        NAO,
+        /** The Booster T1, on RCSSServerMJ. */
+        T1
     }
 
     /** Build tool of a project. */
@@ -61,14 +68,17 @@ public final class NewProject {
      * @param packageName package of the project's classes
      * @param tool build tool
      * @param origin initial contents
+     * @param robot its robot
      * @param jar RoboNewbie's jar; the sources and Javadoc jars beside it are included if they exist
      * @param version RoboNewbie's version
      */
-    public NewProject(String name, String packageName, BuildTool tool, Origin origin, Path jar, String version) {
+    public NewProject(
+            String name, String packageName, BuildTool tool, Origin origin, Robot robot, Path jar, String version) {
         this.name = name;
         this.packageName = packageName;
         this.tool = tool;
         this.origin = origin;
+        this.robot = robot;
         this.jar = jar;
         this.version = version;
     }
@@ -97,9 +107,11 @@ public final class NewProject {
             System.err.println("The file robonewbie could not be made executable. Start it with: sh robonewbie");
         }
         writeAgent(project.resolve("src/main/java").resolve(folder()));
-        writeTest(project.resolve("src/test/java").resolve(folder()).resolve("MyAgentTest.java"));
-        if (origin == Origin.T1) {
+        Path tests = project.resolve("src/test/java").resolve(folder());
+        write("MyAgentTest.java", tests.resolve("MyAgentTest.java"));
+        if (robot == Robot.T1) {
             write("t1.properties", project.resolve("robonewbie.properties"));
+            write("T1Test.java", tests.resolve("T1Test.java"));
         }
         Files.createDirectories(project.resolve("motions"));
         MotionFiles.save(ShippedMotions.file("wave"), project.resolve("motions/greet.txt"));
@@ -110,12 +122,8 @@ public final class NewProject {
         if (origin == Origin.TEAM) {
             new ExampleTeam(packageName, "MyAgent").write(folder);
         } else {
-            write(origin == Origin.T1 ? "MyT1Agent.java" : "MyAgent.java", folder.resolve("MyAgent.java"));
+            write("MyAgent.java", folder.resolve("MyAgent.java"));
         }
-    }
-
-    private void writeTest(Path file) throws IOException {
-        write(origin == Origin.T1 ? "MyT1AgentTest.java" : "MyAgentTest.java", file);
     }
 
     private void fillRepository(Path project) throws IOException {
@@ -144,7 +152,7 @@ public final class NewProject {
     private void write(String template, Path file) throws IOException {
         String text = read(template)
                 .replace("{{team}}", origin == Origin.TEAM ? read("team.md") : "")
-                .replace("{{t1}}", origin == Origin.T1 ? read("t1.md") : "")
+                .replace("{{t1}}", robot == Robot.T1 ? read("t1.md") : "")
                 .replace("{{name}}", name)
                 .replace("{{version}}", version)
                 .replace("{{build}}", tool == BuildTool.MAVEN ? "mvn" : "gradle")

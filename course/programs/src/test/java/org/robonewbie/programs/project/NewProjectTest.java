@@ -78,6 +78,6 @@ class NewProjectTest {
     }
 
     private void create(BuildTool tool, Origin origin) throws IOException {
-        new NewProject("stars", "de.stars", tool, origin, jar, "2.0.0").create(project);
+        new NewProject("stars", "de.stars", tool, origin, NewProject.Robot.NAO, jar, "2.0.0").create(project);
     }
 }

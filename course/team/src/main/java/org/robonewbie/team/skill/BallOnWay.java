@@ -13,7 +13,6 @@ import org.robonewbie.team.world.WorldModel;
 record BallOnWay(Translation2d ball, double turn) {
 
     private static final double BEHIND_METRES = 0.25;
-    private static final double AROUND_METRES = 0.35;
     private static final double MIN_AHEAD = 0.1;
     private static final double MAX_TURN = 25;
 
@@ -45,15 +44,22 @@ record BallOnWay(Translation2d ball, double turn) {
      * the feet.
      */
     boolean isInCone(double metres, double slope) {
+        return isInCone(metres, slope, MAX_TURN);
+    }
+
+    /** Returns the same for a robot that may face the path at a given angle in degrees. */
+    boolean isInCone(double metres, double slope, double maxTurn) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);
-        return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MAX_TURN;
+        return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= maxTurn;
     }
 
     /** Makes the robot walk to the position behind the ball, around the ball if necessary. */
     void getBehind(Footwork feet, WorldModel world) {
-        Translation2d behind = ball.minus(direction().times(BEHIND_METRES));
+        Translation2d behind = ball.minus(direction().times(world.abilities().behindBallMetres()));
         double side = aside() >= 0 ? 1 : -1;
-        Translation2d place = ahead() < MIN_AHEAD ? behind.plus(left().times(side * AROUND_METRES)) : behind;
+        Translation2d place = ahead() < MIN_AHEAD
+                ? behind.plus(left().times(side * world.abilities().aroundBallMetres()))
+                : behind;
         feet.step(world, place, turn);
     }
 

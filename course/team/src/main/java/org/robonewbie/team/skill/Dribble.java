@@ -23,6 +23,7 @@ public final class Dribble {
     private static final double CONE_METRES = 0.07;
     private static final double CONE_SLOPE = 0.22;
     private static final double BEHIND_METRES = 0.25;
+    private static final double WIDE_CONE_METRES = 0.3;
     private static final double CALM_METRES = 0.02;
     private static final double CALM_DEGREES = 3;
     private static final double TURN = 1.5;
@@ -52,10 +53,23 @@ public final class Dribble {
     public void bring(WorldModel world, Translation2d target) {
         Translation2d ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
         BallOnWay way = BallOnWay.of(world, ball, world.ball(), target);
-        if (isContested(world) && isAhead(ball) && Math.abs(way.turn()) < CHARGE_DEGREES) {
+        if (!world.abilities().movesLegs()) {
+            pushWithoutSideSteps(world, way);
+        } else if (isContested(world) && isAhead(ball) && Math.abs(way.turn()) < CHARGE_DEGREES) {
             charge(world, way);
         } else if (way.isInCone(CONE_METRES, CONE_SLOPE)) {
             push(world, way);
+        } else {
+            way.getBehind(feet, world);
+        }
+    }
+
+    /** Aims at a point behind the ball, so that a robot that is beside the path curves back to it. */
+    private void pushWithoutSideSteps(WorldModel world, BallOnWay way) {
+        if (way.isInCone(WIDE_CONE_METRES, CONE_SLOPE, CHARGE_DEGREES)) {
+            Translation2d aim =
+                    way.ball().minus(Translation2d.polar(way.turn(), way.ball().length() / 2));
+            walk.towards(Footwork.speed(world), 0, TURN * aim.degrees());
         } else {
             way.getBehind(feet, world);
         }

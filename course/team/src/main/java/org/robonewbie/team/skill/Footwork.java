@@ -10,6 +10,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.PathPlanner.Obstacle;
+import org.robonewbie.team.world.Abilities;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
 
@@ -33,12 +34,10 @@ public final class Footwork {
     private static final double JOG_ROOM_METRES = 1.6;
     private static final double JOG_ASIDE_METRES = 0.5;
     private static final double FAR_METRES = 0.55;
-    private static final double ARRIVED_METRES = 0.12;
     private static final double ARRIVED_DEGREES = 12;
     private static final double LEFT_METRES = 0.4;
     private static final double EXACT_METRES = 0.05;
     private static final double EXACT_DEGREES = 8;
-    private static final double ROBOT_METRES = 0.5;
     private static final double AHEAD_DEGREES = 45;
     private static final double SIGHT_METRES = 3;
     private static final double FAR_TURN = 1.6;
@@ -82,19 +81,21 @@ public final class Footwork {
         List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));
         Translation2d next = way.get(0).seenFrom(world.pose());
         double turn = Angles.wrap(headingDegrees - world.pose().degrees());
-        double tolerance = standing ? LEFT_METRES : ARRIVED_METRES;
+        double arrived = world.abilities().arrivedMetres();
+        double tolerance = standing ? Math.max(LEFT_METRES, 2 * arrived) : arrived;
         double turnTolerance = standing ? 2 * ARRIVED_DEGREES : ARRIVED_DEGREES;
         standing = way.size() == 1 && next.length() < tolerance && Math.abs(turn) < turnTolerance;
         if (standing) {
             walk.stop();
         } else if (!jogs(world, next, world.place().distanceTo(place))) {
-            step(next, turn, way.size() == 1, pace(world));
+            step(world, next, turn, way.size() == 1, pace(world));
         }
         return way;
     }
 
     private boolean jogs(WorldModel world, Translation2d next, double metres) {
-        return jog.isPresent()
+        return world.abilities().movesLegs()
+                && jog.isPresent()
                 && jog.get().go(world, next, metres, others(world).stream().noneMatch(other -> {
                     Translation2d place = other.centre().seenFrom(world.pose());
                     return place.x() > 0 && place.x() < JOG_ROOM_METRES && Math.abs(place.y()) < JOG_ASIDE_METRES;
@@ -135,18 +136,21 @@ public final class Footwork {
             List<Translation2d> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
             Translation2d next = way.get(0).seenFrom(world.pose());
             if (!jogs(world, next, place.length())) {
-                step(next, turnDegrees, false, speed(world));
+                step(world, next, turnDegrees, false, speed(world));
             }
         } else {
-            step(place, turnDegrees, true, speed(world));
+            step(world, place, turnDegrees, true, speed(world));
         }
     }
 
-    private void step(Translation2d place, double turnDegrees, boolean last, double pace) {
+    private void step(WorldModel world, Translation2d place, double turnDegrees, boolean last, double pace) {
+        Abilities abilities = world.abilities();
         double bearing = place.degrees();
-        if (!last || place.length() > FAR_METRES) {
+        if (!last || place.length() > (abilities.movesLegs() ? FAR_METRES : abilities.arrivedMetres())) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
             walk.towards(ahead ? pace : 0, 0, FAR_TURN * bearing);
+        } else if (!abilities.movesLegs()) {
+            walk.towards(0, 0, NEAR_TURN * turnDegrees);
         } else {
             walk.towards(Math.min(pace, NEAR_SPEED * place.x()), NEAR_SPEED * place.y(), NEAR_TURN * turnDegrees);
         }
@@ -189,8 +193,9 @@ public final class Footwork {
      */
     public static List<Obstacle> others(WorldModel world) {
         List<Obstacle> obstacles = new ArrayList<>();
-        world.opponents().forEach(place -> obstacles.add(new Obstacle(place, ROBOT_METRES)));
-        world.mates().stream().map(Mate::place).forEach(place -> obstacles.add(new Obstacle(place, ROBOT_METRES)));
+        double metres = world.abilities().robotMetres();
+        world.opponents().forEach(place -> obstacles.add(new Obstacle(place, metres)));
+        world.mates().stream().map(Mate::place).forEach(place -> obstacles.add(new Obstacle(place, metres)));
         obstacles.removeIf(obstacle -> obstacle.centre().distanceTo(world.place()) > SIGHT_METRES);
         return obstacles;
     }

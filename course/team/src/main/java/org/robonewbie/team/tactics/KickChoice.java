@@ -107,6 +107,10 @@ public final class KickChoice {
 
     /** Adds the options that move the ball in one direction. */
     private void add(List<Option> all, double degrees) {
+        if (!world.abilities().movesLegs()) {
+            all.add(dribble(degrees));
+            return;
+        }
         if (mayDribble) {
             all.add(dribble(degrees));
         }

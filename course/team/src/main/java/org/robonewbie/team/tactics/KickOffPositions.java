@@ -2,6 +2,7 @@ package org.robonewbie.team.tactics;
 
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.team.world.WorldModel;
 
 /**
  * Kick-off positions by player number. Players with low numbers, starting with 2, get the positions closest to the ball, so
@@ -29,7 +30,22 @@ public final class KickOffPositions {
     private static final double BESIDE_METRES = 1.4;
     private static final double BEHIND_CIRCLE_METRES = 0.4;
 
+    private static final Pose2d PUSH = new Pose2d(-1, 0, 0);
+
     private KickOffPositions() {}
+
+    /**
+     * Returns the position of a player.
+     *
+     * @param world its world model
+     * @param kicksOff whether its team takes the kick-off
+     * @return the pose in team coordinates
+     */
+    public static Pose2d place(WorldModel world, boolean kicksOff) {
+        return kicksOff && world.number() == KICKER && !world.abilities().movesLegs()
+                ? PUSH
+                : place(world.number(), kicksOff, !Roles.isKeeper(world, 1), world.field());
+    }
 
     /**
      * Returns the position of a player.

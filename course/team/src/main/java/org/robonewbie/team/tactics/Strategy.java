@@ -19,12 +19,10 @@ public final class Strategy {
     private static final double LOST_SECONDS = 3;
     private static final double KEEPER_LOST_SECONDS = 1;
     private static final double KEEPER_LEAVES_METRES = 3.5;
-    private static final double NEVER_SECONDS = 25;
     private static final double GET_UP_SECONDS = 4;
     private static final double BLIND_SECONDS = 1.5;
     private static final double SPEED = 0.5;
     private static final double TURN_SPEED = 90;
-    private static final double MAX_SECONDS = 24;
     private static final double NEAR_METRES = 0.8;
     private static final double KICK_LASTS_SECONDS = 5;
     private static final double PASS_SECONDS = 2;
@@ -155,13 +153,13 @@ public final class Strategy {
      * Estimates the time until the player could play the ball, based on the point at which it intercepts the rolling ball
      * and the turns required to get there.
      *
-     * @return time in seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
+     * @return time in seconds; more than the robot's {@code maxSeconds} if the player does not claim the ball
      */
     public double secondsToBall() {
         boolean keeps = Roles.isKeeper(world, world.number())
                 && world.ball().distanceTo(world.ourGoal()) > KEEPER_LEAVES_METRES;
         if (keeps || world.ballAgeSeconds() > LOST_SECONDS || setPlay.isForbidden()) {
-            return NEVER_SECONDS;
+            return world.abilities().maxSeconds() + 1;
         }
         double seconds = reachSeconds();
         Translation2d ball = world.ballIn(seconds);
@@ -171,7 +169,7 @@ public final class Strategy {
         boolean blind = world.ownBallAgeSeconds() > BLIND_SECONDS;
         double sum =
                 seconds + behind / TURN_SPEED + turn / TURN_SPEED + (world.isFallen() || blind ? GET_UP_SECONDS : 0);
-        return Math.min(MAX_SECONDS, sum);
+        return Math.min(world.abilities().maxSeconds(), sum);
     }
 
     private double reachSeconds() {

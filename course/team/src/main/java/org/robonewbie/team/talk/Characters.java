@@ -13,23 +13,34 @@ final class Characters {
 
     private static final String ALPHABET = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz+-";
     private static final int BITS_PER_CHARACTER = 6;
-    private static final int LENGTH = 18;
     private static final int CHECK_BITS = 5;
-    private static final int ALL_BITS = LENGTH * BITS_PER_CHARACTER;
+    private static final int CHECKSUMS = 31;
 
-    private final boolean[] bits = new boolean[ALL_BITS];
+    private final boolean[] bits;
+    private final int key;
     private int next;
 
-    /** Decodes a message; empty if it is not from this team. */
-    static Optional<Characters> of(String text) {
-        if (text.length() != LENGTH || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
+    /**
+     * Creates an empty stream.
+     *
+     * @param length number of characters
+     * @param key text on which the checksum depends; empty for none
+     */
+    Characters(int length, String key) {
+        this.bits = new boolean[length * BITS_PER_CHARACTER];
+        this.key = Math.floorMod(key.hashCode(), CHECKSUMS);
+    }
+
+    /** Decodes a message; empty if it has another length or another checksum. */
+    static Optional<Characters> of(String text, int length, String key) {
+        if (text.length() != length || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
             return Optional.empty();
         }
-        Characters result = new Characters();
-        for (int i = 0; i < LENGTH; i++) {
+        Characters result = new Characters(length, key);
+        for (int i = 0; i < length; i++) {
             result.write(ALPHABET.indexOf(text.charAt(i)), BITS_PER_CHARACTER);
         }
-        result.next = ALL_BITS - CHECK_BITS;
+        result.next = result.bits.length - CHECK_BITS;
         boolean right = result.read(CHECK_BITS) == result.checksum();
         result.next = 0;
         return right ? Optional.of(result) : Optional.empty();
@@ -68,20 +79,20 @@ final class Characters {
 
     /** Appends the checksum and returns the encoded text. */
     String finish() {
-        next = ALL_BITS - CHECK_BITS;
+        next = bits.length - CHECK_BITS;
         write(checksum(), CHECK_BITS);
         next = 0;
         StringBuilder text = new StringBuilder();
-        for (int i = 0; i < LENGTH; i++) {
+        for (int i = 0; i < bits.length / BITS_PER_CHARACTER; i++) {
             text.append(ALPHABET.charAt(read(BITS_PER_CHARACTER)));
         }
         return text.toString();
     }
 
     private int checksum() {
-        int sum = 0;
-        for (int i = 0; i < ALL_BITS - CHECK_BITS; i++) {
-            sum = (sum * 3 + (bits[i] ? i + 1 : 0)) % 31;
+        int sum = key;
+        for (int i = 0; i < bits.length - CHECK_BITS; i++) {
+            sum = (sum * 3 + (bits[i] ? i + 1 : 0)) % CHECKSUMS;
         }
         return sum;
     }

@@ -50,12 +50,13 @@ public record TeamMessage(
     /** Maximum age of a ball sighting in a message, in seconds; older sightings are sent with this age. */
     public static final double MAX_AGE_SECONDS = 6.2;
 
+    private static final int LENGTH = 18;
     private static final double MAX_METRES = 20.5;
     private static final double MAX_SPEED = 6.35;
 
     /** {@return the encoded message of 18 characters} */
     public String encode() {
-        Characters text = new Characters();
+        Characters text = new Characters(LENGTH, "");
         text.write(number, 4);
         write(text, pose.translation(), 10, MAX_METRES);
         text.write(pose.degrees(), 7, -180, 180);
@@ -82,7 +83,9 @@ public record TeamMessage(
      * @return the message; empty if it does not come from this team's program
      */
     public static Optional<TeamMessage> decode(String text) {
-        return Characters.of(text).map(TeamMessage::read).filter(message -> message.number > 0 && message.number <= 11);
+        return Characters.of(text, LENGTH, "")
+                .map(TeamMessage::read)
+                .filter(message -> message.number > 0 && message.number <= 11);
     }
 
     private static TeamMessage read(Characters text) {

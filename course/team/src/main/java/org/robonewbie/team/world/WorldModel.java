@@ -19,6 +19,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.team.talk.ShortMessage;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
@@ -37,7 +38,6 @@ public final class WorldModel {
     private static final double LYING_METRES = 0.25;
     private static final double IN_GOAL_METRES = 1;
     private static final double BEGIN_SECONDS = 1;
-    private static final int SMALL_TEAM = 8;
 
     /** Maximum tilt of the torso at which sightings are used; sightings are unreliable while the robot is falling. */
     private static final double UPRIGHT_DEGREES = 15;
@@ -60,6 +60,7 @@ public final class WorldModel {
     private double seconds;
     private int number;
     private RobotType type = RobotType.TYPE_0;
+    private Abilities abilities = Abilities.NAO;
     private boolean fallen;
     private boolean scored;
     private boolean placed;
@@ -78,6 +79,7 @@ public final class WorldModel {
         seconds = nao.getTime();
         number = nao.getNumber();
         type = nao.getType();
+        abilities = Abilities.of(nao.getModelName());
         fallen = nao.isFallen();
         if (seconds - beamedSeconds > BEAM_SECONDS) {
             self.update(nao, view);
@@ -123,8 +125,10 @@ public final class WorldModel {
 
     /** Uses the robot's own estimate of the ball if it is recent, otherwise the latest sighting by a teammate. */
     private void updateBall() {
-        ball = tracker.position().onMap(pose);
-        ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.degrees()));
+        BallTracker usual =
+                abilities.movesLegs() ? tracker : exactTracker; // no odometry for legs that walk by themselves
+        ball = usual.position().onMap(pose);
+        ballVelocity = usual.velocity().onMap(new Pose2d(0, 0, pose.degrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
@@ -172,9 +176,13 @@ public final class WorldModel {
     public void listen(Robot nao) {
         for (HeardMessage heard : nao.getHeard()) {
             if (heard.team().map(nao.getTeam()::equals).orElse(true)) {
-                TeamMessage.decode(heard.text()).ifPresent(this::receive);
+                decoded(heard.text(), nao.getTeam()).ifPresent(this::receive);
             }
         }
+    }
+
+    private Optional<TeamMessage> decoded(String text, String team) {
+        return abilities.movesLegs() ? TeamMessage.decode(text) : ShortMessage.decode(text, team);
     }
 
     private void receive(TeamMessage message) {
@@ -210,6 +218,11 @@ public final class WorldModel {
     /** {@return the robot type} */
     public RobotType type() {
         return type;
+    }
+
+    /** {@return what the robot can do} */
+    public Abilities abilities() {
+        return abilities;
     }
 
     /** {@return whether the robot is lying on the ground} */
@@ -313,9 +326,9 @@ public final class WorldModel {
         return List.copyOf(mates.values());
     }
 
-    /** {@return whether the team has fewer than eight players, too few for a keeper} */
+    /** {@return whether the team has too few players for a keeper} */
     public boolean isSmallTeam() {
-        return mates.size() < SMALL_TEAM - 1;
+        return mates.size() < abilities.playersWithKeeper() - 1;
     }
 
     /** {@return the positions of recently seen opponents} */

@@ -7,7 +7,9 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -41,25 +43,28 @@ public final class LeagueServer implements AutoCloseable {
     }
 
     /**
-     * Starts the server on this computer, in real time and in sync mode: it waits in each cycle until all agents have answered.
+     * Starts the server on this computer in sync mode: it waits in each cycle until all agents have answered.
      *
      * @param agentPort TCP port for agents
      * @param monitorPort TCP port for monitors
+     * @param options further options, such as {@code --no-realtime}
      * @return the running server
      * @throws IOException if it is not installed or exits during start-up; the message says what to do
      */
-    public static LeagueServer start(int agentPort, int monitorPort) throws IOException {
+    public static LeagueServer start(int agentPort, int monitorPort, String... options) throws IOException {
         Path command = find().orElseThrow(() -> new IOException("No RCSSServerMJ is running on agent port " + agentPort
                 + ", and none is installed. Install it with \"" + INSTALLATION
                 + "\" in a Python environment that is active in this terminal."));
         Path folder = Files.createTempDirectory("rcssservermj"); // it writes a log into its working directory
-        Process process = new ProcessBuilder(
-                        command.toString(),
-                        "--sync",
-                        "--no-render",
-                        "--host=127.0.0.1",
-                        "--aport=" + agentPort,
-                        "--mport=" + monitorPort)
+        List<String> words = new ArrayList<>(List.of(
+                command.toString(),
+                "--sync",
+                "--no-render",
+                "--host=127.0.0.1",
+                "--aport=" + agentPort,
+                "--mport=" + monitorPort));
+        words.addAll(List.of(options));
+        Process process = new ProcessBuilder(words)
                 .directory(folder.toFile())
                 .redirectErrorStream(true)
                 .start();
