@@ -12,6 +12,7 @@ import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -71,6 +72,27 @@ public class Robot {
      */
     public final double getJointAngle(Joint joint) {
         return sensors().joints().degrees(joint);
+    }
+
+    /**
+     * Reads a joint's angle sensor of a T1, updated in each cycle.
+     *
+     * @param joint the joint
+     * @return the angle in degrees, as the league's server measures it; 0 for a robot that is not a T1
+     */
+    public final double getJointAngle(T1Joint joint) {
+        reportOtherRobot();
+        return sensors().ownJoints().map(joints -> joints.degrees(joint)).orElse(0.0);
+    }
+
+    private void reportOtherRobot() {
+        if (sensors().ownJoints().isEmpty()) {
+            runtime.diagnostics()
+                    .report(
+                            "joints of a T1",
+                            () -> "This robot is a " + getModelName()
+                                    + ", which does not have the joints of a T1: run the program with --robot T1, or use Joint.");
+        }
     }
 
     /**
@@ -247,6 +269,34 @@ public class Robot {
      */
     public final void setJointAngle(Joint joint, double degrees, double degreesPerSecond) {
         commands().setJointAngle(joint, degrees, degreesPerSecond);
+    }
+
+    /**
+     * Moves a joint of a T1 to an angle and holds it there, with the stiffness and damping with which the robot stands. The target
+     * stays in effect until another one is set, the robot starts to walk, falls or is placed. While the robot walks, only the head
+     * obeys. Targets for the legs replace those that hold the robot upright.
+     *
+     * @param joint the joint
+     * @param degrees target angle, within the joint's range
+     */
+    public final void setJointAngle(T1Joint joint, double degrees) {
+        reportOtherRobot();
+        commands().setJointAngle(joint, degrees);
+    }
+
+    /**
+     * Moves a joint of a T1 to an angle and holds it there with given gains: torque = stiffness · (target − angle) − damping · speed,
+     * limited to the motor's maximum.
+     *
+     * @param joint the joint
+     * @param degrees target angle, within the joint's range
+     * @param stiffness 0 to 500 newton metres per radian
+     * @param damping 0 to 20 newton metres per radian per second; more than 2 makes a foot in the air vibrate
+     * @see #setJointAngle(T1Joint, double)
+     */
+    public final void setJointAngle(T1Joint joint, double degrees, double stiffness, double damping) {
+        reportOtherRobot();
+        commands().setJointAngle(joint, degrees, stiffness, damping);
     }
 
     /**

@@ -11,6 +11,7 @@ import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Posture;
@@ -35,6 +36,18 @@ class SensorStateTest {
         assertThat(nao.getLeftFootPressure().force()).isEqualTo(new Vector3(2, -1, 22));
         assertThat(nao.getLeftFootPressure().isTouching()).isTrue();
         assertThat(nao.getRightFootPressure().isTouching()).isFalse();
+    }
+
+    @Test
+    void reportsThatANaoHasNoJointsOfAT1() {
+        nao.setJointAngle(T1Joint.WAIST, 30);
+
+        assertThat(nao.getJointAngle(T1Joint.WAIST)).isZero();
+        assertThat(runtime.diagnostics().reported())
+                .singleElement()
+                .asString()
+                .contains(
+                        "This robot is a NAO, which does not have the joints of a T1: run the program with --robot T1");
     }
 
     @Test

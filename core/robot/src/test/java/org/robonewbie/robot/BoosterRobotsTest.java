@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.nao.kinematics.Pose;
 
 /** The league's robots. Expected values were read from a running rcsssmj 0.2.1 and from MuJoCo 3.5.0. */
@@ -28,6 +30,18 @@ class BoosterRobotsTest {
     void massIsThatOfTheServersModel(RobotModel robot, int bodies, double massKg) {
         assertThat(robot.bodies()).hasSize(bodies);
         assertThat(robot.massKg()).isEqualTo(massKg, within(1e-9));
+    }
+
+    @Test
+    void jointsOfTheT1HaveTheNamesAndRangesOfItsModel() {
+        for (T1Joint joint : T1Joint.values()) {
+            RobotJoint modelled = BoosterT1.MODEL.joints().get(joint.ordinal());
+            String name = modelled.name().replaceFirst("^AAHead|^Head", "NECK").toUpperCase(Locale.ROOT);
+            assertThat(joint.name()).isEqualTo(name);
+            assertThat(joint.minDegrees()).isCloseTo(modelled.minDegrees(), within(0.051));
+            assertThat(joint.maxDegrees()).isCloseTo(modelled.maxDegrees(), within(0.051));
+        }
+        assertThat(T1Joint.values()).hasSameSizeAs(BoosterT1.MODEL.joints());
     }
 
     @Test

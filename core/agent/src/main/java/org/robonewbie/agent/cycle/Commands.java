@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
@@ -18,6 +19,7 @@ import org.robonewbie.protocol.effector.EffectorCommand.Say;
 import org.robonewbie.protocol.effector.EffectorCommand.SetHingeSpeed;
 import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
+import org.robonewbie.protocol.effector.LeagueMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** Validated commands of the current cycle. */
@@ -93,14 +95,77 @@ public final class Commands {
         }
         reportConflict(joint);
         if (joint.clampDegrees(degrees) != degrees) {
-            diagnostics.report(
-                    "range " + joint,
-                    () -> format(
-                            "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it is limited to"
-                                    + " the range.",
-                            degrees, joint, joint.minDegrees(), joint.maxDegrees()));
+            reportRange(joint, degrees, joint.minDegrees(), joint.maxDegrees());
         }
         motors.setTarget(joint, degrees, speed);
+    }
+
+    /**
+     * Sets the target angle of a joint of a T1, with the gains with which the robot stands.
+     *
+     * @param joint the joint
+     * @param degrees target angle in degrees
+     */
+    public void setJointAngle(T1Joint joint, double degrees) {
+        if (isPossible(joint, degrees)) {
+            sensors.ownJoints().ifPresent(joints -> joints.setTarget(joint, clamped(joint, degrees)));
+        }
+    }
+
+    /**
+     * Sets the target angle and the gains of a joint of a T1.
+     *
+     * @param joint the joint
+     * @param degrees target angle in degrees
+     * @param stiffness stiffness in newton metres per radian
+     * @param damping damping in newton metres per radian per second
+     */
+    public void setJointAngle(T1Joint joint, double degrees, double stiffness, double damping) {
+        if (!isPossible(joint, degrees + stiffness + damping)) {
+            return;
+        }
+        double possibleStiffness = Math.max(0, Math.min(LeagueMessageWriter.MAX_STIFFNESS, stiffness));
+        double possibleDamping = Math.max(0, Math.min(LeagueMessageWriter.MAX_DAMPING, damping));
+        if (possibleStiffness != stiffness || possibleDamping != damping) {
+            diagnostics.report(
+                    "gains " + joint,
+                    () -> format(
+                            "Stiffness %.4g and damping %.4g of %s are limited to 0 to %.0f Nm/rad and 0 to %.0f Nm s/rad.",
+                            stiffness,
+                            damping,
+                            joint,
+                            LeagueMessageWriter.MAX_STIFFNESS,
+                            LeagueMessageWriter.MAX_DAMPING));
+        }
+        sensors.ownJoints()
+                .ifPresent(
+                        joints -> joints.setTarget(joint, clamped(joint, degrees), possibleStiffness, possibleDamping));
+    }
+
+    private boolean isPossible(T1Joint joint, double numbers) {
+        if (!Double.isFinite(numbers)) {
+            diagnostics.reportSerious(
+                    "angle " + joint,
+                    () -> "A target for " + joint
+                            + " that is not a finite number is ignored. Was something divided by zero?");
+        }
+        return Double.isFinite(numbers);
+    }
+
+    private double clamped(T1Joint joint, double degrees) {
+        double possible = Math.max(joint.minDegrees(), Math.min(joint.maxDegrees(), degrees));
+        if (possible != degrees) {
+            reportRange(joint, degrees, joint.minDegrees(), joint.maxDegrees());
+        }
+        return possible;
+    }
+
+    private void reportRange(Enum<?> joint, double degrees, double least, double most) {
+        diagnostics.report(
+                "range " + joint,
+                () -> format(
+                        "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it is limited to the range.",
+                        degrees, joint, least, most));
     }
 
     /**

@@ -50,6 +50,7 @@ public final class SensorState {
     private CameraKinematics camera = NAO::camera;
     private boolean hasFootSensors = true;
     private String modelName = "NAO";
+    private Optional<OwnJoints> ownJoints = Optional.empty();
 
     /** Creates the state of a robot at rest. */
     public SensorState() {}
@@ -123,9 +124,12 @@ public final class SensorState {
      * @param newModelName name of its model
      * @param newCamera where its camera is
      * @param footSensors whether it has force sensors in its feet
+     * @param newOwnJoints its joints, if it is a T1
      */
-    public void setEquipment(String newModelName, CameraKinematics newCamera, boolean footSensors) {
+    public void setEquipment(
+            String newModelName, CameraKinematics newCamera, boolean footSensors, Optional<OwnJoints> newOwnJoints) {
         modelName = newModelName;
+        ownJoints = newOwnJoints;
         camera = newCamera;
         hasFootSensors = footSensors;
     }
@@ -138,6 +142,11 @@ public final class SensorState {
     /** {@return name of the robot's model} */
     public String modelName() {
         return modelName;
+    }
+
+    /** {@return the joints of a T1 with their own angles; empty for other robots} */
+    public Optional<OwnJoints> ownJoints() {
+        return ownJoints;
     }
 
     /** {@return whether the robot has force sensors in its feet} */

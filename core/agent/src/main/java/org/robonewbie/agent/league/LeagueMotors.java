@@ -3,11 +3,13 @@ package org.robonewbie.agent.league;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.agent.cycle.OwnJoints;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.walk.Locomotion;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.protocol.effector.LeagueMessageWriter;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
 import org.robonewbie.robot.Motor;
@@ -18,7 +20,7 @@ import org.robonewbie.robot.RobotModel;
  * The motors of a league robot, which are commanded by target angles. Arms and head follow the speeds of a program for the NAO; the legs
  * stand or walk. While the robot walks, its arms hang down, as in the training of the walk.
  */
-final class LeagueMotors implements Locomotion {
+final class LeagueMotors implements Locomotion, OwnJoints {
 
     /** Time in which a robot that was placed on the pitch moves into its stance. */
     static final double SECONDS_TO_STANCE = 0.8;
@@ -53,6 +55,9 @@ final class LeagueMotors implements Locomotion {
     private final double[] sentDegrees;
     private final double[] stiffness;
     private final double[] damping;
+    /** Targets that the program has set for joints by their own names; NaN for none. */
+    private final double[] ownDegrees;
+
     private TorsoMotion torso = TorsoMotion.AT_REST;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
@@ -82,21 +87,31 @@ final class LeagueMotors implements Locomotion {
         this.sentDegrees = new double[joints];
         this.stiffness = new double[joints];
         this.damping = new double[joints];
-        setGainsOfStance();
+        this.ownDegrees = new double[joints];
         placed();
     }
 
-    private void setGainsOfStance() {
-        for (RobotJoint joint : model.joints()) {
-            if (joint.motor() instanceof Motor.Torque motor) {
-                stiffness[joint.index()] = motor.stiffness();
-                damping[joint.index()] = joint.name().contains("Ankle") ? FOOT_DAMPING : motor.damping();
-            }
+    /** Leaves a joint to the stance and to the speeds for a NAO's joint. */
+    private void release(int index) {
+        RobotJoint joint = model.joints().get(index);
+        ownDegrees[index] = Double.NaN;
+        if (shared(index).isPresent()) {
+            stiffness[index] = ARM_STIFFNESS;
+            damping[index] = ARM_DAMPING;
+        } else if (joint.motor() instanceof Motor.Torque motor) {
+            stiffness[index] = motor.stiffness();
+            damping[index] = joint.name().contains("Ankle") ? FOOT_DAMPING : motor.damping();
         }
-        for (SharedJoint joint : shared) {
-            stiffness[joint.index()] = ARM_STIFFNESS;
-            damping[joint.index()] = ARM_DAMPING;
+    }
+
+    private void releaseAll() {
+        for (int i = 0; i < ownDegrees.length; i++) {
+            release(i);
         }
+    }
+
+    private Optional<SharedJoint> shared(int index) {
+        return shared.stream().filter(joint -> joint.index() == index).findFirst();
     }
 
     /** {@return the joints of arms and head, which the program can move} */
@@ -151,6 +166,7 @@ final class LeagueMotors implements Locomotion {
         walking = false;
         wanted = WalkVelocity.ZERO;
         Arrays.fill(degreesPerSecond, 0);
+        releaseAll();
     }
 
     /** Starts to move into the stance, with the arms as a NAO has them at 0°. The server has set all joints to 0°. */
@@ -186,6 +202,48 @@ final class LeagueMotors implements Locomotion {
     }
 
     @Override
+    public double degrees(T1Joint joint) {
+        return degrees[joint.ordinal()];
+    }
+
+    @Override
+    public void setTarget(T1Joint joint, double target) {
+        if (obeys(joint)) {
+            release(joint.ordinal());
+            hold(joint.ordinal(), target);
+        }
+    }
+
+    @Override
+    public void setTarget(T1Joint joint, double target, double newStiffness, double newDamping) {
+        if (obeys(joint)) {
+            stiffness[joint.ordinal()] = newStiffness;
+            damping[joint.ordinal()] = newDamping;
+            hold(joint.ordinal(), target);
+        }
+    }
+
+    private void hold(int index, double target) {
+        ownDegrees[index] = target;
+        degreesPerSecond[index] = 0;
+        armDegrees[index] = target;
+    }
+
+    /** Returns whether a joint follows the program: not on the ground and, but for the head, not while the robot walks. */
+    private boolean obeys(T1Joint joint) {
+        boolean isHead =
+                shared(joint.ordinal()).filter(common -> !common.isArm()).isPresent();
+        if (isWalking() && !isHead) {
+            diagnostics.reportAt(
+                    "",
+                    "league walk joint",
+                    () -> "While the " + model.name() + " walks, only its head obeys: the target for " + joint
+                            + " is ignored.");
+        }
+        return !fallen && (isHead || !isWalking());
+    }
+
+    @Override
     public boolean isWalking() {
         return walking && secondsStopped < SECONDS_TO_STOP;
     }
@@ -201,6 +259,7 @@ final class LeagueMotors implements Locomotion {
         }
         for (SharedJoint joint : shared) {
             if (joint.joint().effectorName().equals(effectorName)) {
+                release(joint.index());
                 degreesPerSecond[joint.index()] = joint.sign() * naoDegreesPerSecond;
                 return true;
             }
@@ -217,7 +276,8 @@ final class LeagueMotors implements Locomotion {
         shared.forEach(joint -> advance(joint, share));
         double[] targets = targets(share);
         for (int i = 0; i < targets.length; i++) {
-            sentDegrees[i] = startDegrees[i] + share * (targets[i] - startDegrees[i]);
+            boolean isOwn = !walking && !Double.isNaN(ownDegrees[i]);
+            sentDegrees[i] = isOwn ? ownDegrees[i] : startDegrees[i] + share * (targets[i] - startDegrees[i]);
             if (walking) {
                 LearnedWalk learned = walk.orElseThrow();
                 writer.motor(i, sentDegrees[i], 0, learned.stiffness(i), learned.damping(i), 0);
@@ -227,14 +287,17 @@ final class LeagueMotors implements Locomotion {
         }
     }
 
-    /** Changes from standing to walking if a velocity is wanted, and back as soon as the program moves an arm after the robot stopped. */
+    /** Changes from standing to walking if a velocity is wanted, and back as soon as the program moves a joint after the robot stopped. */
     private void changeLegs() {
         boolean starts = !walking && !wanted.isZero() && walk.isPresent() && changeSeconds >= secondsOfChange;
-        boolean ends = walking && secondsStopped >= SECONDS_TO_STOP && isArmMoving();
+        boolean ends = walking && secondsStopped >= SECONDS_TO_STOP && isJointWanted();
         if (starts) {
+            releaseAll();
             walk.get().begin();
         } else if (ends) {
-            shared.stream().filter(SharedJoint::isArm).forEach(arm -> armDegrees[arm.index()] = degrees[arm.index()]);
+            shared.stream()
+                    .filter(joint -> joint.isArm() && Double.isNaN(ownDegrees[joint.index()]))
+                    .forEach(arm -> armDegrees[arm.index()] = degrees[arm.index()]);
         }
         if (starts || ends) {
             walking = starts;
@@ -242,8 +305,13 @@ final class LeagueMotors implements Locomotion {
         }
     }
 
-    private boolean isArmMoving() {
-        return shared.stream().anyMatch(joint -> joint.isArm() && degreesPerSecond[joint.index()] != 0);
+    private boolean isJointWanted() {
+        return shared.stream().anyMatch(joint -> joint.isArm() && degreesPerSecond[joint.index()] != 0)
+                || model.joints().stream()
+                        .anyMatch(joint -> !Double.isNaN(ownDegrees[joint.index()])
+                                && shared(joint.index())
+                                        .filter(common -> !common.isArm())
+                                        .isEmpty());
     }
 
     private void advance(SharedJoint joint, double share) {

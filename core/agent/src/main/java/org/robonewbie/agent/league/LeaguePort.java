@@ -26,6 +26,7 @@ import org.robonewbie.protocol.perceptor.JointAngles;
 import org.robonewbie.protocol.perceptor.LeagueMessageReader;
 import org.robonewbie.protocol.perceptor.LeaguePerception;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.robot.BoosterT1;
 import org.robonewbie.robot.RobotModel;
 
 /**
@@ -75,7 +76,12 @@ public final class LeaguePort implements MessagePort {
         this.motors = new LeagueMotors(model, walk, robot.diagnostics());
         this.shared = motors.shared();
         LeagueCamera camera = new LeagueCamera(model, shared);
-        robot.sensors().setEquipment(model.name(), camera, false);
+        robot.sensors()
+                .setEquipment(
+                        model.name(),
+                        camera,
+                        false,
+                        model.equals(BoosterT1.MODEL) ? Optional.of(motors) : Optional.empty());
         this.truth = truth ? Optional.of(new LeagueTruth(camera)) : Optional.empty();
         robot.walk().setLocomotion(motors);
     }

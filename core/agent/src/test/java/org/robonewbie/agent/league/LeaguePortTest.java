@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.T1Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.Pose;
@@ -108,6 +109,76 @@ class LeaguePortTest {
                 .asString()
                 .contains("The T1 stands and walks by itself: commands and motions for its legs are ignored")
                 .contains("LEFT_KNEE_PITCH");
+    }
+
+    @Test
+    void jointsOfAT1AreReadAndMovedWithTheirOwnAngles() throws IOException {
+        receive(GAME + joint("q_tj1", 12.5) + joint("q_llj4", 41));
+        assertThat(robot.sensors().ownJoints().orElseThrow().degrees(T1Joint.WAIST))
+                .isEqualTo(12.5);
+        assertThat(robot.sensors().ownJoints().orElseThrow().degrees(T1Joint.LEFT_KNEE_PITCH))
+                .isEqualTo(41);
+
+        robot.commands().setJointAngle(T1Joint.WAIST, 30);
+        robot.commands().setJointAngle(T1Joint.LEFT_KNEE_PITCH, 60, 100, 3);
+        robot.commands().setJointAngle(T1Joint.LEFT_SHOULDER_PITCH, -45);
+        send();
+
+        assertThat(motor("te1")).isEqualTo("30 0 200 5 0");
+        assertThat(motor("lle4")).isEqualTo("60 0 100 3 0");
+        assertThat(motor("rle4")).isEqualTo("1 0 200 5 0");
+        assertThat(motor("lae1")).isEqualTo("-45 0 60 1.5 0");
+    }
+
+    @Test
+    void aSpeedForANaosJointMovesAnArmOnFromItsOwnTarget() throws IOException {
+        receive(GAME + joint("q_laj1", -45));
+        robot.commands().setJointAngle(T1Joint.LEFT_SHOULDER_PITCH, -45, 20, 1);
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+
+        send(speed(Joint.LEFT_SHOULDER_PITCH, 100));
+
+        assertThat(motor("lae1")).isEqualTo("-47 -100 60 1.5 0");
+    }
+
+    @Test
+    void targetsBeyondTheRangeAreLimitedAndReported() throws IOException {
+        receive(GAME);
+        robot.commands().setJointAngle(T1Joint.WAIST, 120, 900, -1);
+        robot.commands().setJointAngle(T1Joint.LEFT_KNEE_PITCH, Double.NaN);
+        send();
+
+        assertThat(motor("te1")).isEqualTo("89.954 0 500 0 0");
+        assertThat(motor("lle4")).isEqualTo("1 0 200 5 0");
+        assertThat(String.join("\n", robot.diagnostics().reported()))
+                .contains("Joint angle 120.0 for WAIST is beyond its range of -90 to 90 degrees")
+                .contains("Stiffness 900.0 and damping -1.000 of WAIST are limited to 0 to 500 Nm/rad")
+                .contains("A target for LEFT_KNEE_PITCH that is not a finite number is ignored");
+    }
+
+    @Test
+    void walkingTakesTheJointsBackButTheHead() throws IOException {
+        receive(GAME);
+        robot.commands().setJointAngle(T1Joint.WAIST, 30);
+        for (int i = 0; i < 50; i++) {
+            send();
+        }
+        assertThat(target("te1")).isEqualTo(30);
+
+        for (int i = 0; i < 100; i++) {
+            robot.walk().towards(0.5, 0, 0);
+            robot.commands().setJointAngle(T1Joint.WAIST, 30);
+            robot.commands().setJointAngle(T1Joint.NECK_YAW, 20);
+            robot.act();
+            send();
+        }
+
+        assertThat(target("te1")).isZero();
+        assertThat(target("he1")).isEqualTo(20);
+        assertThat(String.join("\n", robot.diagnostics().reported()))
+                .contains("While the T1 walks, only its head obeys: the target for WAIST is ignored");
     }
 
     @Test
@@ -263,9 +334,15 @@ class LeaguePortTest {
     }
 
     private double target(String motor) {
+        String numbers = motor(motor);
+        return Double.parseDouble(numbers.substring(0, numbers.indexOf(' ')));
+    }
+
+    /** Returns the numbers of a motor in the last answer. */
+    private String motor(String name) {
         String last = server.sent.get(server.sent.size() - 1);
-        String after = last.substring(last.indexOf("(" + motor + " ") + motor.length() + 2);
-        return Double.parseDouble(after.substring(0, after.indexOf(' ')));
+        String after = last.substring(last.indexOf("(" + name + " ") + name.length() + 2);
+        return after.substring(0, after.indexOf(')'));
     }
 
     /** Connection to a server that sends the given messages and then ends. */
