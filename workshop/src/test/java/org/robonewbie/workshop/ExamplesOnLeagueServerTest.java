@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
@@ -45,10 +46,12 @@ class ExamplesOnLeagueServerTest {
 
     @ParameterizedTest
     @MethodSource("examples")
+    @SuppressWarnings("try") // the server only has to run
     void exampleDoesWhatTheTableSays(String name) throws IOException {
         boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
         Assumptions.assumeTrue(isRequired || LeagueServer.find().isPresent(), "RCSSServerMJ is not installed");
-        Class<? extends Agent> type = ExampleLoad.examples().get(name);
+        Class<? extends Agent> type =
+                Objects.requireNonNull(ExampleLoad.examples().get(name));
         String promised = ExamplesOnT1.missing(ExampleLoad.agents(type).get(0));
         int port = freePort();
         int monitorPort = freePort();

@@ -45,8 +45,8 @@ public final class Options {
             new Pose2d(-2, 0, 0));
 
     private static final String DEFAULT_TEAM = "RoboNewbie";
-    private static final int MAX_X = 20;
-    private static final int MAX_Y = 15;
+    private static final int MAX_X = 28;
+    private static final int MAX_Y = 19;
 
     private final Map<Option, OptionSource.Value> values;
     private final List<String> arguments;

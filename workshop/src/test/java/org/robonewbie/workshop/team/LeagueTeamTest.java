@@ -40,6 +40,7 @@ class LeagueTeamTest {
     private static final double SECONDS = 60;
 
     @Test
+    @SuppressWarnings("try") // the server only has to run
     void fourteenRobotsPlayForAMinute() throws Exception {
         boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
         Assumptions.assumeTrue(isRequired || LeagueServer.find().isPresent(), "RCSSServerMJ is not installed");

@@ -286,6 +286,7 @@ class LeaguePortTest {
     @Test
     void hasNoForceSensorsInItsFeet() {
         assertThat(robot.sensors().hasFootSensors()).isFalse();
+        assertThat(robot.sensors().modelName()).isEqualTo("T1");
     }
 
     @Test
