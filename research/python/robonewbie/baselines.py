@@ -1,10 +1,10 @@
-"""Reproduces the baselines in docs/policies.md: trains each task by Stable-Baselines3's PPO with three seeds, and plots the learning curves.
+"""Makes the board of baselines in docs/policies.md: trains tasks by Stable-Baselines3's PPO, three seeds each, and evaluates the policies.
 
-    python -m robonewbie.baselines                  all tasks, into the folder baselines
-    python -m robonewbie.baselines Stand KickTo     these tasks
+    python -m robonewbie.baselines                                    all tasks, into the folder baselines
+    python -m robonewbie.baselines Stand KickTo --policy My.policy    these tasks, and a policy of your own beside them
 
-Interrupted training runs are resumed; complete ones are not repeated. Prints a row for each task, part of which is shown in docs/policies.md:
-returns during training, and returns of the policies and of a zero-action baseline in 256 evaluation episodes.
+Interrupted training runs are resumed; complete ones are not repeated. The policies of a task and zero actions play the same 128 episodes,
+whose seeds no training run uses. The best policy comes first.
 """
 
 import argparse
@@ -17,7 +17,8 @@ from robonewbie import curve, evaluate, train
 from robonewbie.settings import TASKS
 
 SEEDS = (1, 2, 3)
-EVALUATED = 256
+EPISODES = 128
+COLUMNS = ("task", "policy", "return", "success", "cycles", "hours", "command")
 
 
 def train_seed(task, seed, folder):
@@ -39,56 +40,60 @@ def _curve_of(policy):
     return policy.with_name(policy.name + ".csv")
 
 
-def _minutes(file):
-    """Returns the duration of a training run in minutes; the seconds in its curve restart whenever it is resumed."""
+def _hours(file):
+    """Returns the duration of a training run; the seconds in its curve restart whenever it is resumed."""
     with open(file, newline="", encoding="utf-8") as lines:
         seconds = [float(row["seconds"]) for row in csv.DictReader(lines)]
-    return sum(now for now, after in zip(seconds, [*seconds[1:], 0]) if after < now) / 60
+    return sum(now for now, after in zip(seconds, [*seconds[1:], 0]) if after < now) / 3600
 
 
-def _range(numbers, digits=2):
-    low, high = f"{min(numbers):.{digits}f}".replace("-", "−"), f"{max(numbers):.{digits}f}".replace("-", "−")
-    return low if low == high else f"{low} to {high}"
+def _training_of(file, task, seed):
+    """Returns the cells of a policy's training."""
+    file = _curve_of(file)
+    return [f"{1e6 * curve.read(file)[0][-1]:,.0f}", f"{_hours(file):.2f}", f"`train {task} --seed {seed}`"]
 
 
-def row(task, policies):
-    """Evaluates the policies of one task, and returns its row of the table."""
-    curves = [curve.read(_curve_of(policy)) for policy in policies]
-    options = train.options_of(TASKS[task].options)
-    learned = [evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), EVALUATED, options=options) for policy in policies]
-    nothing = evaluate.evaluate(task, None, EVALUATED, options=options)
-    cells = [
-        f"`{task}`",
-        f"{_cycles(task):,}",
-        _range([_minutes(_curve_of(policy)) for policy in policies], 1),
-        _range([rewards[0] for _, rewards in curves]),
-        _range([np.mean(rewards[-max(1, len(rewards) // 10) :]) for _, rewards in curves]),
-        _range([np.mean(result.returns) for result in learned]),
-        _range([np.mean(nothing.returns)]),
-        _range([100 * np.mean(result.successes) for result in learned], 0) + " %",
-        _range([100 * np.mean(nothing.successes)], 0) + " %",
+def rows(task, policies):
+    """Evaluates zero actions and the policies of one task, and returns their rows, the highest return first.
+
+    ``policies`` are pairs of a file and the cells of its training.
+    """
+    options = train.options_of(TASKS[task].options) if task in TASKS else {}
+    entries = [(evaluate.evaluate(task, None, EPISODES, options=options), "zero actions", ["", "", ""])]
+    options.pop("cycles", None)  # a policy says how long its actions last
+    for file, training in policies:
+        policy = evaluate.PlayedPolicy(file.read_text(encoding="utf-8"))
+        entries.append((evaluate.evaluate(task, policy, EPISODES, options=options), f"`{file.name}`", training))
+    entries.sort(key=lambda entry: -np.mean(entry[0].returns))
+    return [
+        f"| {' | '.join([f'`{task}`', name, *str(result).removeprefix('return ').split(', success '), *training])} |"
+        for result, name, training in entries
     ]
-    return "| " + " | ".join(cells) + " |"
 
 
 def main(words=None):
     """Runs the command line."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.baselines", description="Reproduces the baselines of docs/policies.md.")
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.baselines", description="Makes the board of baselines in docs/policies.md.")
     parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"any of {', '.join(TASKS)} (default: all)")
     parser.add_argument("--out", type=Path, default=Path("baselines"), help="folder of policies and curves (default: baselines)")
+    parser.add_argument("--policy", type=Path, nargs="+", default=[], metavar="FILE", help="other policies that are evaluated too")
     wanted = parser.parse_args(words)
     unknown = set(wanted.tasks) - set(TASKS)
     if unknown:
         parser.error(f"There is no baseline for {', '.join(sorted(unknown))}. Available: {', '.join(TASKS)}.")
     wanted.out.mkdir(parents=True, exist_ok=True)
-    rows = []
+    policies = {}
     for task in wanted.tasks or TASKS:
-        policies = [train_seed(task, seed, wanted.out) for seed in SEEDS]
+        files = [train_seed(task, seed, wanted.out) for seed in SEEDS]
         picture = wanted.out / f"{task}.svg"
-        picture.write_text(curve.svg([curve.together(task, [curve.read(_curve_of(policy)) for policy in policies])]), encoding="utf-8")
-        rows.append(row(task, policies))
-        print(rows[-1], flush=True)
-    print("\n".join(["", *rows]))
+        picture.write_text(curve.svg([curve.together(task, [curve.read(_curve_of(file)) for file in files])]), encoding="utf-8")
+        policies[task] = [(file, _training_of(file, task, seed)) for file, seed in zip(files, SEEDS)]
+    for file in wanted.policy:
+        task = evaluate.PlayedPolicy(file.read_text(encoding="utf-8")).task
+        policies.setdefault(task, []).append((file, ["", "", ""]))
+    print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}")
+    for task in policies:
+        print("\n".join(rows(task, policies[task])), flush=True)
 
 
 if __name__ == "__main__":

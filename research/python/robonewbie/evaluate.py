@@ -22,11 +22,19 @@ from robonewbie.train import options_of
 FIRST_SEED = 1_000_000
 
 
+_TASKS = {"walk": "WalkGait", "jog": "JogGait", "run": "RunGait"}  # that the policies of these names have learned
+
+
 class PlayedPolicy:
-    """Policy loaded from its file, evaluated with NumPy for a batch of observations. ``options`` are those that it needs of the task."""
+    """Policy loaded from its file, evaluated with NumPy for a batch of observations.
+
+    ``task`` is what it has learned, and ``options`` are those that it needs of the task.
+    """
 
     def __init__(self, text: str) -> None:
         self.text, self.inputs, self.layers = text, [], network.read(text)
+        learned = text.split("\n", 1)[0].split()[-1]
+        self.task = _TASKS.get(learned, learned)
         self.options = {"cycles": 1}
         for line in text.splitlines():
             words = line.split(" ")

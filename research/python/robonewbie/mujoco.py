@@ -155,7 +155,6 @@ class NaoMujocoEnv(RoboNewbieEnv):
         return self._physics.world().data
 
 
-_TASKS = {"walk": "WalkGait", "jog": "JogGait", "run": "RunGait"}  # that the policies of these names have learned
 _COLUMNS = ("policy", "task", "speed (m/s)", "in MuJoCo", "falls", "in MuJoCo", "return", "in MuJoCo", "success", "in MuJoCo")
 
 
@@ -184,8 +183,7 @@ def main(words=None):
     print(f"| {' | '.join(_COLUMNS)} |\n|{'---|' * len(_COLUMNS)}")
     for file in wanted.policy:
         policy = PlayedPolicy(file.read_text(encoding="utf-8"))
-        learned = policy.text.split("\n", 1)[0].split()[-1]
-        task = wanted.task or _TASKS.get(learned, learned)
+        task = wanted.task or policy.task
         settings = wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option)
         results = [evaluate(task, policy, *settings, physics) for physics in (None, Physics())]
         print(f"| {' | '.join(_row(file.stem, task, *results))} |", flush=True)

@@ -7,6 +7,10 @@
 Arguments that are omitted have the best known values for the task, which robonewbie/settings.py lists. At the end, the policy is
 evaluated in new episodes beside zero actions. The last layer of the initial policy is zero, so all actions are zero. A checkpoint is
 written after each update, so a training run can be interrupted at any time. The first layer of the policy normalises the observations.
+
+If TensorBoard is installed, returns and losses are logged to the folder TASK.policy.tensorboard:
+
+    tensorboard --logdir .
 """
 
 import argparse
@@ -133,7 +137,8 @@ def _arguments(words):
     parser = argparse.ArgumentParser(
         prog="python -m robonewbie.train",
         description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3. "
-        f"For {', '.join(settings.TASKS)}, the defaults are the best known values instead of those below.",
+        f"For {', '.join(settings.TASKS)}, the defaults are the best known values instead of those below. "
+        "If TensorBoard is installed, returns and losses are logged: tensorboard --logdir .",
     )
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
     parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (default: 300000)")
@@ -189,6 +194,7 @@ class Training:
             self.model = PPO(TwoViewsPolicy, self.normalised, **self._settings())
             self._initialise_actor()
         self.first_timestep = self.model.num_timesteps
+        self.zero_actions = None  # their mean return, if known
 
     def _initialise_actor(self):
         """Sets the last layer to zero and the hidden biases to random values, because gSDE does not explore if all inputs are zero."""
@@ -264,19 +270,46 @@ class Training:
             reward = np.mean([episode["r"] for episode in episodes])
             cycles = np.mean([episode["l"] for episode in episodes]) * self.wanted.cycles
             lines.writerow([self.all_cycles, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
-            print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles, {self._minutes_left():.0f} min left", flush=True)
+            beside = "" if self.zero_actions is None else f" (zero actions {self.zero_actions:.3f})"
+            print(f"{self.all_cycles:9d}: return {reward:8.3f}{beside} in {cycles:.0f} cycles, {self._minutes_left():.0f} min left", flush=True)
 
     def _minutes_left(self):
         done = self.model.num_timesteps - self.first_timestep
         return (time.monotonic() - self.began) / 60 * (self.wanted.total_timesteps - self.model.num_timesteps) / max(1, done)
 
+    def _compare_with_zero_actions(self):
+        """Evaluates zero actions, so that progress can be judged."""
+        from robonewbie import evaluate
+
+        wanted = self.wanted
+        if wanted.n_eval_episodes > 0:
+            self.zero_actions = np.mean(evaluate.evaluate(wanted.task, None, wanted.n_eval_episodes, options=wanted.options).returns)
+
+    def _log_to_tensorboard(self):
+        """Logs to TensorBoard if it is installed; zero actions are a run of their own, so that both curves are in one chart."""
+        from stable_baselines3.common.logger import SummaryWriter, configure
+
+        if SummaryWriter is None:
+            return
+        folder = self._beside(".tensorboard")
+        self.model.set_logger(configure(str(folder), ["tensorboard"]))
+        if self.zero_actions is not None:
+            zero = configure(str(folder / "zero_actions"), ["tensorboard"])
+            for timesteps in (self.first_timestep, self.wanted.total_timesteps):
+                zero.record("rollout/ep_rew_mean", self.zero_actions)
+                zero.dump(timesteps)
+            zero.close()
+
     def run(self):
         """Trains until the total number of actions is reached."""
         wanted = self.wanted
+        self._compare_with_zero_actions()
+        self._log_to_tensorboard()
         while self.model.num_timesteps < wanted.total_timesteps:
             rate = wanted.learning_rate * (1 - self.model.num_timesteps / wanted.total_timesteps)
             self.model.lr_schedule = lambda _, rate=rate: rate
             self.model.learn(wanted.n_envs * wanted.n_steps, reset_num_timesteps=False)
+            self.model.logger.dump(self.model.num_timesteps)  # the losses of this update
             self.save()
 
 

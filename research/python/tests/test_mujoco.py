@@ -2,12 +2,14 @@
 
 import io
 import pickle
+import re
 import unittest
 from contextlib import redirect_stdout
 from pathlib import Path
 from unittest import mock
 
 import numpy as np
+from gymnasium.utils.env_checker import check_env
 
 from robonewbie import RoboNewbieEnv, RoboNewbieError
 from robonewbie.evaluate import PlayedPolicy, evaluate
@@ -25,7 +27,8 @@ try:
 except ImportError:
     mjx = None
 
-POLICIES = Path(__file__).parents[3] / "core/agent/src/main/resources/policies"
+PROJECT = Path(__file__).parents[3]
+POLICIES = PROJECT / "core/agent/src/main/resources/policies"
 TASKS = ["Walk", "Stand", "Follow", "EngineRun", "WalkGait", "GetUp", "QuickGetUp", "Kick", "KickTo", "Reach"]
 
 
@@ -106,6 +109,18 @@ class MujocoTest(unittest.TestCase):
         environment.reset(seed=1)
         travelled = environment.step(np.zeros(12))[-1]["ball_x"]
         self.assertAlmostEqual(travelled, environment.data.body("ball").xpos[0], places=9)
+
+    def test_programs_of_the_page_with_either_interface_are_environments(self):
+        page = (PROJECT / "docs" / "mujoco.md").read_text(encoding="utf-8").split("## The tasks in MuJoCo")[1]
+        programs = re.findall(r"```python\n(.*?)```", page, re.DOTALL)[:2]
+        for program, base in zip(programs, ("NaoMujocoEnv", "MujocoEnv")):
+            with self.subTest(base):
+                names = {}
+                exec(program, names)
+                environment = names.get("environment") or names["NaoWalk"]()
+                self.addCleanup(environment.close)
+                self.assertEqual(type(environment).__base__.__name__, base)
+                check_env(environment, skip_render_check=True)
 
     def test_environments_are_picklable_and_refuse_what_mujoco_does_not_have(self):
         environment = self.environment("Reach")

@@ -1,6 +1,7 @@
 """Training by PPO and what it writes; the parts with Stable-Baselines3 are skipped where it is not installed."""
 
 import io
+import re
 import shutil
 import subprocess
 import sys
@@ -23,6 +24,26 @@ try:
     import stable_baselines3
 except ImportError:
     stable_baselines3 = None
+
+try:
+    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+except ImportError:
+    EventAccumulator = None
+
+
+BASELINES = Path(__file__).parents[1] / "baselines"
+
+
+def _board(text):
+    """Returns return, its standard error and the number of successes of each task and policy on a board of baselines."""
+    rows = re.findall(r"^\| `(\w+)` \| (\S+\.policy`|zero actions) \| (\S+) ± (\S+) \| (\d+) of \d+ \|", text, re.MULTILINE)
+    return {(task, policy): (float(reward), float(error), int(successes)) for task, policy, reward, error, successes in rows}
+
+
+def _scalars(run):
+    """Returns what a run of TensorBoard contains: for each name its values by timestep."""
+    events = EventAccumulator(str(run)).Reload()
+    return {name: {event.step: event.value for event in events.Scalars(name)} for name in events.Tags()["scalars"]}
 
 
 def _cell(recurrent):
@@ -124,15 +145,20 @@ class TrainTest(unittest.TestCase):
 
     def test_what_ppo_has_learned_pays_more_than_doing_nothing_in_each_task(self):
         gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1}
+        board = _board((BASELINES.parents[2] / "docs" / "policies.md").read_text(encoding="utf-8"))
         for task, known in settings.TASKS.items():
             with self.subTest(task):
                 options = train.options_of(known.options)
-                policy = Path(__file__).parents[1] / "baselines" / f"{task}-1.policy"
+                policy = BASELINES / f"{task}-1.policy"
                 learned = evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), 128, options=options)
                 nothing = evaluate.evaluate(task, None, 128, options=options)
 
                 self.assertGreater(np.mean(learned.returns), np.mean(nothing.returns) + gains[task])
                 self.assertGreater(np.mean(learned.successes), np.mean(nothing.successes))
+                for name, result in ((f"`{policy.name}`", learned), ("zero actions", nothing)):
+                    reward, error, successes = board[task, name]
+                    self.assertAlmostEqual(np.mean(result.returns), reward, delta=error)
+                    self.assertAlmostEqual(np.sum(result.successes), successes, delta=4)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_begins_with_doing_nothing_and_takes_what_it_is_told_to_take(self):
@@ -149,15 +175,32 @@ class TrainTest(unittest.TestCase):
                 train.main(["Stand", "--n-envs", "2", "--inputs", "wing", "--out", str(out)])
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    @unittest.skipUnless(EventAccumulator, "tensorboard is not installed")
+    def test_logs_losses_and_returns_beside_those_of_zero_actions_to_tensorboard(self):
+        words = ["Reach", "--n-envs", "2", "--n-steps", "100", "--batch-size", "100", "--total-timesteps", "400", "--n-eval-episodes", "3", "--option", "x=1"]
+        with tempfile.TemporaryDirectory() as folder, mock.patch("sys.stdout", io.StringIO()) as told:
+            train.main([*words, "--out", str(Path(folder, "my.policy"))])
+            learned, zero = (_scalars(Path(folder, "my.policy.tensorboard", run)) for run in ("", "zero_actions"))
+
+        self.assertEqual(list(learned["rollout/ep_rew_mean"]), [200, 400])
+        self.assertEqual(list(learned["train/value_loss"]), [200, 400])
+        wanted = np.mean(evaluate.evaluate("Reach", None, 3, options={"x": 1}).returns)
+        self.assertEqual(list(zero["rollout/ep_rew_mean"]), [0, 400])
+        np.testing.assert_allclose(list(zero["rollout/ep_rew_mean"].values()), wanted, rtol=1e-6)
+        self.assertIn(f"(zero actions {wanted:.3f}) in 100 cycles", told.getvalue())
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_baseline_has_a_row_for_the_table(self):
         short = settings.Settings(512, "--n-envs 4 --n-steps 32 --batch-size 16 --net-arch 4 4", ("cycles=2", "push=60"))
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(settings.TASKS, Stand=short), mock.patch.object(
-            baselines, "EVALUATED", 4
+            baselines, "EPISODES", 4
         ), mock.patch("sys.stdout", io.StringIO()) as told:
-            baselines.main(["Stand", "--out", folder])
+            baselines.main(["Stand", "--out", folder, "--policy", str(BASELINES / "KickTo-1.policy")])
 
             self.assertTrue(Path(folder, "Stand.svg").exists())
-        self.assertRegex(told.getvalue(), r"\| `Stand` \| 1,024 \| .* \| 0 % \| 0 % \|")
+        self.assertEqual(len(_board(told.getvalue())), 6)
+        for seed in (1, 2, 3):
+            self.assertRegex(told.getvalue(), rf"\| `Stand` \| `Stand-{seed}.policy` \| .* \| 0 of 4 \| 1,024 \| 0.00 \| `train Stand --seed {seed}` \|")
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_goes_on_and_writes_a_policy_that_does_what_the_model_does(self):
@@ -270,7 +313,7 @@ class TrainTest(unittest.TestCase):
             words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--net-arch", "4", "4", "--n-eval-episodes", "0", "--out"]
             train.main([*words, str(Path(folder, "first.policy")), "--total-timesteps", "64"])
             for name in ("one", "two"):
-                for file in Path(folder).glob("first.*"):
+                for file in filter(Path.is_file, Path(folder).glob("first.*")):
                     shutil.copy(file, file.with_name(file.name.replace("first", name)))
                 out = Path(folder, f"{name}.policy")
                 train.main([*words, str(out), "--total-timesteps", "128", "--resume"])
