@@ -107,7 +107,7 @@ class TrainTest(unittest.TestCase):
     def test_arguments_have_the_best_known_values_unless_given(self):
         known = train._arguments(["KickTo"])
         given = train._arguments(["KickTo", "--gamma", "0.9", "--net-arch", "8", "--option", "cycles=2", "--option", "friction=0.5..2"])
-        other = train._arguments(["Walk"])
+        other = train._arguments(["GetUp"])
 
         self.assertEqual((known.n_envs, known.gamma, known.options, known.total_timesteps), (256, 1, {"cycles": 5}, 300_000))
         self.assertEqual((given.n_envs, given.gamma, given.net_arch), (256, 0.9, [8]))
