@@ -40,7 +40,8 @@ def spaces_of(description):
     low = np.array([entry["least"] for entry in description["observation"]], dtype=np.float32)
     high = np.array([entry["greatest"] for entry in description["observation"]], dtype=np.float32)
     observation = gymnasium.spaces.Box(low, high, dtype=np.float32)
-    action = gymnasium.spaces.Box(-1.0, 1.0, (len(description["action"]),), dtype=np.float32)
+    limit = description["actionLimit"]
+    action = gymnasium.spaces.Box(-limit, limit, (len(description["action"]),), dtype=np.float32)
     return observation, action
 
 
@@ -189,7 +190,7 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     """A task for one robot; a step is a cycle of 20 ms.
 
     ``observation_names``, ``observation_units`` and ``action_names`` describe the spaces. An action contains a target angle for each
-    joint: -1 to 1 times ``range_degrees``, an array, relative to the initial posture. With ``speeds=1``, it contains a fraction of each joint's highest
+    joint relative to the initial posture: the bound of the action space means ``range_degrees``, an array. With ``speeds=1``, it contains a fraction of each joint's highest
     speed. With ``history=3``, an observation contains those of the two actions before as well.
 
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:

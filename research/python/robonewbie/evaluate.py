@@ -100,7 +100,7 @@ def evaluate(
     before, interval = robots.truth[:, place], max(1, round(CYCLES_PER_SECOND / cycles))
     last, fallen = robots.truth.copy(), np.zeros(episodes, dtype=bool)
     while running.any():
-        action = policy.act(observation[:, indices]) if policy else 0
+        action = described["actionLimit"] * policy.act(observation[:, indices]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
         returns[running] += reward[running]
         actions += running

@@ -58,15 +58,21 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     return "\n".join([*lines, *network.lines(layers, packed)]) + "\n"
 
 
-def layers_of(model, normalisation, inputs):
+def layers_of(model, normalisation=None, inputs=()):
     """Returns the layers of the actor of a PPO model for :func:`policy_text`.
 
-    The first layer normalises the inputs (indices) and clips them, as ``VecNormalize`` does.
+    With a ``VecNormalize``, the first layer normalises the inputs (indices) and clips them as it does.
 
     :raises ValueError: if the network has a module that a policy file cannot express; it is named
     """
     last = torch_layers([model.policy.action_net])[0]
-    last = Dense(last.weights, last.bias, "tanh" if model.policy.squash_output else "cut")
+    if model.policy.squash_output:
+        last = Dense(last.weights, last.bias, "tanh")
+    else:
+        limit = model.action_space.high[0]
+        last = Dense(last.weights / limit, last.bias / limit, "cut")
+    if normalisation is None:
+        return [*torch_layers(model.policy.mlp_extractor.policy_net), last]
     moments, limit = normalisation.obs_rms, normalisation.clip_obs
     size = len(inputs)
     scale, offset = fold(np.identity(size) / limit, np.zeros(size), moments.mean[inputs], moments.var[inputs], normalisation.epsilon)

@@ -192,7 +192,7 @@ class TrainTest(unittest.TestCase):
         from robonewbie.sb3 import VecEnv
 
         random = np.random.default_rng(1)
-        robots = VecNormalize(VecEnv("Stand", 1), clip_obs=2)
+        robots = VecNormalize(VecEnv("Walk", 1), clip_obs=2)
         size = robots.observation_space.shape[0]
         robots.obs_rms.mean, robots.obs_rms.var = random.normal(size=size), random.uniform(0.5, 9, size)
         raw = random.normal(scale=4, size=(1000, size))
@@ -203,10 +203,14 @@ class TrainTest(unittest.TestCase):
                 model.policy.action_net.weight.data *= 30
                 wanted, _ = model.predict(robots.normalize_obs(raw), deterministic=True)
 
-                text = train.policy_text("Stand", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
+                text = train.policy_text("Walk", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
 
-                found = evaluate.PlayedPolicy(text).act(raw)
+                found = 3 * evaluate.PlayedPolicy(text).act(raw)  # the bound of the action space is 3
                 np.testing.assert_allclose(found, wanted, atol=2e-3, err_msg=f"{activation} {squash}")
+        plain = PPO("MlpPolicy", robots.venv, seed=1, device="cpu")
+        plain.policy.action_net.weight.data *= 30
+        found = 3 * evaluate.PlayedPolicy(train.policy_text("Walk", [], [], [], 30, train.layers_of(plain))).act(raw)
+        np.testing.assert_allclose(found, plain.predict(raw, deterministic=True)[0], atol=2e-3)
         for activation, named in ((nn.LeakyReLU, "LeakyReLU"), (lambda: nn.ELU(alpha=2.0), "ELU")):
             model = PPO("MlpPolicy", robots, policy_kwargs={"activation_fn": activation, "net_arch": [4]}, device="cpu")
             with self.assertRaisesRegex(ValueError, f"A policy file cannot express {named}"):

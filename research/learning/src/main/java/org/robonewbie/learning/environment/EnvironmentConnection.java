@@ -185,6 +185,7 @@ final class EnvironmentConnection {
         all.addProperty("reward", spec.reward());
         all.addProperty("longestCycles", task.longestCycles());
         all.addProperty("cycles", environment.cyclesPerAction());
+        all.addProperty("actionLimit", task.actionLimit());
         all.add(
                 "rangeDegrees",
                 GSON.toJsonTree(task.joints().stream().map(task::rangeDegrees).toList()));

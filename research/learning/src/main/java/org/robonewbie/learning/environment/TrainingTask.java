@@ -169,6 +169,14 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                         .toList();
     }
 
+    /**
+     * {@return the bound of a learning program's actions, which are divided by it; by default 1. PPO explores with a standard deviation of 1
+     * at first, so a bound of 3 makes this noise a third of the range}
+     */
+    public double actionLimit() {
+        return 1;
+    }
+
     /** {@return the joints that an action moves, by default those of both legs; all other joints hold still} */
     public List<Joint> joints() {
         return LEGS;

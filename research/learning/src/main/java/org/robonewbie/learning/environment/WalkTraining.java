@@ -68,15 +68,20 @@ final class WalkTraining extends TrainingTask {
     }
 
     @Override
+    public double actionLimit() {
+        return 3;
+    }
+
+    @Override
     public double rangeDegrees() {
-        return 12;
+        return 20;
     }
 
     @Override
     public double rangeDegrees(Joint joint) {
         return switch (joint) {
-            case LEFT_HIP_YAW_PITCH, RIGHT_HIP_YAW_PITCH -> 4;
-            case LEFT_HIP_ROLL, RIGHT_HIP_ROLL, LEFT_FOOT_ROLL, RIGHT_FOOT_ROLL -> 6;
+            case LEFT_HIP_YAW_PITCH, RIGHT_HIP_YAW_PITCH -> 6;
+            case LEFT_HIP_ROLL, RIGHT_HIP_ROLL, LEFT_FOOT_ROLL, RIGHT_FOOT_ROLL -> 10;
             default -> rangeDegrees();
         };
     }
