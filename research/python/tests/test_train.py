@@ -123,7 +123,7 @@ class TrainTest(unittest.TestCase):
         self.assertIn("success 0 of 3", str(first))
 
     def test_what_ppo_has_learned_pays_more_than_doing_nothing_in_each_task(self):
-        gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1}
+        gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1, "Walk": 5}
         for task, known in settings.TASKS.items():
             with self.subTest(task):
                 options = train.options_of(known.options)

@@ -27,8 +27,7 @@ public record Quantity(String name, String unit) {
      */
     public static Quantity scaled(String name, double factor, String unit) {
         return new Quantity(
-                name,
-                (factor == Math.rint(factor) ? Long.toString((long) factor) : Double.toString(factor)) + " " + unit);
+                name, (factor == (long) factor ? Long.toString((long) factor) : Double.toString(factor)) + " " + unit);
     }
 
     /** {@return the factor of the unit, such as 10 for {@code 10 degrees}; 1 for a unit without a factor} */
