@@ -32,12 +32,6 @@ _ENGINE = Settings(
     f" --log-std-init {_log_std(0.15, 32)} --sde-sample-freq 8 --net-arch 32 32",
 )
 TASKS = {
-    # Stable-Baselines3's own settings but for the number of steps and the batch size; the task does the rest.
-    "Walk": Settings(
-        2_000_000,
-        "--n-envs 128 --n-steps 64 --batch-size 512 --n-epochs 10 --learning-rate 0.0003 --gamma 0.99 --log-std-init 0",
-        ("cycles=2", "delay=0..1", "friction=0.8..1.2", "mass=0.95..1.05", "noise=0..0.5"),
-    ),
     # One action, the posture of the robot, lasts the whole episode. Cycles after a fall count too.
     "Stand": Settings(
         80_000,
@@ -59,5 +53,11 @@ TASKS = {
         f" --log-std-init {_log_std(0.1, 9)} --sde-sample-freq 100 --net-arch"
         " --inputs motion.*|gyro.left|accelerometer.(forward|up)",
         ("cycles=2", "friction=0.5..2", "mass=0.9..1.1"),
+    ),
+    # Stable-Baselines3's own settings but for the number of steps and the batch size; the task does the rest.
+    "Walk": Settings(
+        2_000_000,
+        "--n-envs 128 --n-steps 64 --batch-size 512 --n-epochs 10 --learning-rate 0.0003 --gamma 0.99 --log-std-init 0",
+        ("cycles=2", "delay=0..1", "friction=0.8..1.2", "mass=0.95..1.05", "noise=0..0.5"),
     ),
 }
