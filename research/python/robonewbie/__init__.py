@@ -17,7 +17,7 @@ __all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv", "model_pat
 
 _MAX_CYCLES = {
     "Stand": 500,
-    "Walk": 500,
+    "Walk": 1000,
     "Follow": 500,
     "EngineFollow": 500,
     "Run": 500,

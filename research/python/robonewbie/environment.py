@@ -40,7 +40,8 @@ def spaces_of(description):
     low = np.array([entry["least"] for entry in description["observation"]], dtype=np.float32)
     high = np.array([entry["greatest"] for entry in description["observation"]], dtype=np.float32)
     observation = gymnasium.spaces.Box(low, high, dtype=np.float32)
-    action = gymnasium.spaces.Box(-1.0, 1.0, (len(description["action"]),), dtype=np.float32)
+    limit = description["actionLimit"]
+    action = gymnasium.spaces.Box(-limit, limit, (len(description["action"]),), dtype=np.float32)
     return observation, action
 
 
@@ -118,7 +119,7 @@ class SimulatedTask:
             self._set_cycles(merged)
 
     def _set_cycles(self, options):
-        self.cycles = int(options.get("cycles", 1))
+        self.cycles = int(options.get("cycles", self.description["cycles"]))
         self.metadata = {**self.metadata, "render_fps": CYCLES_PER_SECOND / self.cycles}
 
     def render(self) -> np.ndarray | None:
@@ -189,12 +190,12 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
     """A task for one robot; a step is a cycle of 20 ms.
 
     ``observation_names``, ``observation_units`` and ``action_names`` describe the spaces. An action contains a target angle for each
-    joint: -1 to 1 times ``range_degrees``, relative to the initial posture. With ``speeds=1``, it contains a fraction of each joint's highest
+    joint relative to the initial posture: the bound of the action space means ``range_degrees``, an array. With ``speeds=1``, it contains a fraction of each joint's highest
     speed. With ``history=3``, an observation contains those of the two actions before as well.
 
     ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
     ``x``, ``y``, ``ball_x``, ``ball_y`` (metres), ``heading`` (degrees), ``push`` (increase in newtons from one push to the next, with one
-    push per second), ``delay`` (cycles until an action takes effect), ``cycles`` (per action; default: 1), ``noise`` (standard deviation of
+    push per second), ``delay`` (cycles until an action takes effect), ``cycles`` (per action; default: that of the task), ``noise`` (standard deviation of
     additional noise in joint angles, gyroscope and accelerometer), ``friction``, ``sole_friction`` and ``mass`` (relative to the default),
     ``strength`` (relative torque limit, drawn for each joint), ``com_forward`` and ``com_left`` (metres by which the torso's weight is
     displaced), ``jitter`` (random delay of each action, in cycles) and, for ``Follow`` and similar tasks, ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each option is a number, or a pair (low, high) from which each
@@ -214,7 +215,7 @@ class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
         self.observation_space, self.action_space = self._connect(task, 1, reward, render_mode, options)
         if len(self.description["robots"]) > 1:
             raise RoboNewbieError(f"{task} trains several robots. Use robonewbie.parallel.parallel_env(\"{task}\").")
-        self.range_degrees = self.description["rangeDegrees"]
+        self.range_degrees = np.array(self.description["rangeDegrees"])
 
     def observation(self, observation: np.ndarray, info: dict[str, Any]) -> Any:
         """Returns the observation for a step. Override to derive it from the sensor readings or the true state.

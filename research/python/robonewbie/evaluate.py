@@ -89,9 +89,10 @@ def evaluate(
     Cycles per action, history and kind of actions are those of the policy's training, unless ``options`` set them. ``physics`` replaces
     the simulator's, see :class:`robonewbie.mujoco.Physics`.
     """
-    options = {"cycles": 1, **(policy.options if policy else {}), **(options or {})}
+    options = {**(policy.options if policy else {}), **(options or {})}
     robots = Connection(task, episodes, "", options, physics)
     described = robots.description
+    cycles = described["cycles"]
     names = [entry["name"] for entry in described["observation"]]
     indices = [names.index(name) for name in policy.inputs] if policy else []
     seeds = EpisodeSeeds(episodes)
@@ -104,10 +105,10 @@ def evaluate(
     returns, actions, way = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes)
     truth = {name: i for i, name in enumerate(robots.truth_names)}
     place = [truth["x"], truth["y"]]
-    before, interval = robots.truth[:, place], max(1, round(CYCLES_PER_SECOND / options["cycles"]))
+    before, interval = robots.truth[:, place], max(1, round(CYCLES_PER_SECOND / cycles))
     last, fallen = robots.truth.copy(), np.zeros(episodes, dtype=bool)
     while running.any():
-        action = policy.act(observation[:, indices]) if policy else 0
+        action = described["actionLimit"] * policy.act(observation[:, indices]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
         returns[running] += reward[running]
         actions += running
@@ -119,7 +120,7 @@ def evaluate(
         fallen |= ended & (robots.state == TERMINATED) & (last[:, truth["fallen"]] > 0)
         running &= ~ended
     robots.close()
-    seconds = actions * options["cycles"] / CYCLES_PER_SECOND
+    seconds = actions * cycles / CYCLES_PER_SECOND
     return Result(returns, actions, last[:, truth["is_success"]] > 0, way / seconds, fallen)
 
 

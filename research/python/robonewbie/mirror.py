@@ -14,7 +14,7 @@ _OPPOSITE = re.compile(
     r".*(_YAW|_ROLL)"
     r"|(gyro|torso\.turn)\.(forward|up)"
     r"|(?!gyro|torso\.turn).*\.(left|y|sine|horizontal)"
-    r"|command\.turn"
+    r"|command\.(turn|heading)"
 )
 
 

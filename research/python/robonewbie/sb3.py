@@ -2,7 +2,7 @@
 
 >>> from stable_baselines3 import PPO
 >>> from robonewbie.sb3 import VecEnv
->>> PPO("MlpPolicy", VecEnv("RoboNewbie/Walk-v1", 16)).learn(100_000)
+>>> PPO("MlpPolicy", VecEnv("RoboNewbie/Walk-v1", 128), n_steps=64, batch_size=512).learn(2_000_000)
 """
 
 from __future__ import annotations

@@ -47,10 +47,10 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     """Formats a policy for org.robonewbie.agent.policy.PolicyText. Layers come from :func:`torch_layers`; a tuple of weights, biases and
     activation, such as "tanh", is a fully connected layer. Packed weights take a fifth of the space, and are rounded.
 
-    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle. If ``walk``
-    contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
+    ``inputs`` are pairs of name and unit, and so are ``outputs``; the name of a joint alone is an output for its angle, with the range
+    ``range_degrees``. If ``walk`` contains the parameters of a walk, by name, the policy corrects the output of the walk engine.
     """
-    lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
+    lines = [f"policy 1 {task}", *(f"# {line}" for line in about)]
     if motion:
         lines.append("numbers motion " + " ".join(f"{number:g}" for number in motion))
     lines += [f"numbers {name} " + " ".join(f"{number:g}" for number in numbers) for name, numbers in (walk or {}).items()]
@@ -62,15 +62,21 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     return "\n".join([*lines, *network.lines(layers, packed)]) + "\n"
 
 
-def layers_of(model, normalisation, inputs):
+def layers_of(model, normalisation=None, inputs=()):
     """Returns the layers of the actor of a PPO model for :func:`policy_text`.
 
-    The first layer normalises the inputs (indices) and clips them, as ``VecNormalize`` does.
+    With a ``VecNormalize``, the first layer normalises the inputs (indices) and clips them as it does.
 
     :raises ValueError: if the network has a module that a policy file cannot express; it is named
     """
     last = torch_layers([model.policy.action_net])[0]
-    last = Dense(last.weights, last.bias, "tanh" if model.policy.squash_output else "cut")
+    if model.policy.squash_output:
+        last = Dense(last.weights, last.bias, "tanh")
+    else:
+        limit = model.action_space.high[0]
+        last = Dense(last.weights / limit, last.bias / limit, "cut")
+    if normalisation is None:
+        return [*torch_layers(model.policy.mlp_extractor.policy_net), last]
     moments, limit = normalisation.obs_rms, normalisation.clip_obs
     size = len(inputs)
     scale, offset = fold(np.identity(size) / limit, np.zeros(size), moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
@@ -163,7 +169,6 @@ def _arguments(words):
     known = settings.TASKS[task].words if task in settings.TASKS else []
     wanted = parser.parse_args(words, parser.parse_args([task, *known]))
     wanted.options = options_of(wanted.option)
-    wanted.cycles = int(wanted.options.get("cycles", 1))
     return wanted
 
 
@@ -182,7 +187,7 @@ class Training:
         self.began = time.monotonic()
         self.task = VecEnv(wanted.task, wanted.n_envs, **wanted.options)
         self.inputs = indices_of(self.task.description, wanted.inputs)
-        longest = math.ceil(self.task.description["longestCycles"] / wanted.cycles)
+        longest = math.ceil(self.task.description["longestCycles"] / self.task.cycles)
         robots = VecMonitor(Timed(self.task, longest))
         if wanted.resume:
             self.normalised = VecNormalize.load(str(self._beside(".normalisation")), robots)
@@ -224,7 +229,7 @@ class Training:
     @property
     def all_cycles(self):
         """The total number of cycles so far."""
-        return self.model.num_timesteps * self.wanted.cycles
+        return self.model.num_timesteps * self.task.cycles
 
     def _beside(self, ending):
         return self.out.with_name(self.out.name + ending)
@@ -253,7 +258,7 @@ class Training:
             described["rangeDegrees"],
             layers_of(self.model, self.normalised, self.inputs),
             described["motion"],
-            wanted.cycles,
+            self.task.cycles,
             described["walk"],
         )
 
@@ -268,7 +273,7 @@ class Training:
             if new:
                 lines.writerow(["steps", "reward", "cycles", "seconds"])
             reward = np.mean([episode["r"] for episode in episodes])
-            cycles = np.mean([episode["l"] for episode in episodes]) * self.wanted.cycles
+            cycles = np.mean([episode["l"] for episode in episodes]) * self.task.cycles
             lines.writerow([self.all_cycles, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
             beside = "" if self.zero_actions is None else f" (zero actions {self.zero_actions:.3f})"
             print(f"{self.all_cycles:9d}: return {reward:8.3f}{beside} in {cycles:.0f} cycles, {self._minutes_left():.0f} min left", flush=True)

@@ -49,9 +49,9 @@ class MirrorTest(unittest.TestCase):
             np.testing.assert_array_equal(signs * once[indices], observation)
 
     def test_commands_and_places_change_sides(self):
-        indices, signs = robonewbie.mirror.mirror_of(["command.forward", "command.left", "command.turn", "ball.horizontal", "ball.distance", "goal.left"])
-        self.assertEqual(signs.tolist(), [1, -1, -1, -1, 1, -1])
-        self.assertEqual(indices.tolist(), list(range(6)))
+        indices, signs = robonewbie.mirror.mirror_of(["command.forward", "command.left", "command.turn", "command.heading", "ball.horizontal", "ball.distance", "goal.left"])
+        self.assertEqual(signs.tolist(), [1, -1, -1, -1, -1, 1, -1])
+        self.assertEqual(indices.tolist(), list(range(7)))
 
     def test_tasks_without_a_mirror_image_say_so(self):
         for task, reason in (("KickTo", "its actions correct a motion"), ("Reach", "RIGHT_ARM_ROLL, .* is missing")):

@@ -49,7 +49,7 @@ class MujocoTest(unittest.TestCase):
                 np.testing.assert_array_equal(there.reset(seed=3)[0], here.reset(seed=3)[0])
 
     def test_what_the_task_sees_is_the_state_in_mujoco(self):
-        environment = self.environment("Walk")
+        environment = self.environment("Follow")
         environment.reset(seed=1)
         for _ in range(30):
             truth = environment.step(environment.action_space.sample())[-1]

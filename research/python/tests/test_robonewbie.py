@@ -76,7 +76,7 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
 
     def test_robot_that_moves_wildly_falls(self):
-        env = gymnasium.make("RoboNewbie/Walk-v1")
+        env = gymnasium.make("RoboNewbie/Stand-v1")
         env.reset(seed=1)
         action = np.zeros(12, dtype=np.float32)
         for i, name in enumerate(env.unwrapped.action_names):

@@ -88,10 +88,10 @@ class StableBaselinesTest(unittest.TestCase):
 
     def test_options_change_the_episodes_that_begin_from_then_on(self):
         robots = VecEnv("Walk", 4)
-        robots.set_options({"x": 3.0, "cycles": 500, "push": 0})
+        robots.set_options({"x": 3.0, "cycles": 1000, "push": 0})
         robots.reset()
         self.assertEqual([round(info["x"], 1) for info in robots.reset_infos], [3.0] * 4)
-        self.assertEqual(robots.metadata["render_fps"], 0.1)
+        self.assertEqual(robots.metadata["render_fps"], 0.05)
         robots.set_options()
         _, _, done, _ = robots.step(np.zeros((4, 12)))
         self.assertTrue(done.all())

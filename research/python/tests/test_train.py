@@ -128,7 +128,7 @@ class TrainTest(unittest.TestCase):
     def test_arguments_have_the_best_known_values_unless_given(self):
         known = train._arguments(["KickTo"])
         given = train._arguments(["KickTo", "--gamma", "0.9", "--net-arch", "8", "--option", "cycles=2", "--option", "friction=0.5..2"])
-        other = train._arguments(["Walk"])
+        other = train._arguments(["GetUp"])
 
         self.assertEqual((known.n_envs, known.gamma, known.options, known.total_timesteps), (256, 1, {"cycles": 5}, 300_000))
         self.assertEqual((given.n_envs, given.gamma, given.net_arch), (256, 0.9, [8]))
@@ -144,7 +144,7 @@ class TrainTest(unittest.TestCase):
         self.assertIn("success 0 of 3", str(first))
 
     def test_what_ppo_has_learned_pays_more_than_doing_nothing_in_each_task(self):
-        gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1}
+        gains = {"Stand": 10, "EngineFollow": 3, "EngineRun": 4, "KickTo": 0.1, "QuickGetUp": 0.1, "Walk": 5}
         board = _board((BASELINES.parents[2] / "docs" / "policies.md").read_text(encoding="utf-8"))
         for task, known in settings.TASKS.items():
             with self.subTest(task):
@@ -235,7 +235,7 @@ class TrainTest(unittest.TestCase):
         from robonewbie.sb3 import VecEnv
 
         random = np.random.default_rng(1)
-        robots = VecNormalize(VecEnv("Stand", 1), clip_obs=2)
+        robots = VecNormalize(VecEnv("Walk", 1), clip_obs=2)
         size = robots.observation_space.shape[0]
         robots.obs_rms.mean, robots.obs_rms.var = random.normal(size=size), random.uniform(0.5, 9, size)
         raw = random.normal(scale=4, size=(1000, size))
@@ -246,10 +246,14 @@ class TrainTest(unittest.TestCase):
                 model.policy.action_net.weight.data *= 30
                 wanted, _ = model.predict(robots.normalize_obs(raw), deterministic=True)
 
-                text = train.policy_text("Stand", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
+                text = train.policy_text("Walk", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
 
-                found = evaluate.PlayedPolicy(text).act(raw)
+                found = 3 * evaluate.PlayedPolicy(text).act(raw)  # the bound of the action space is 3
                 np.testing.assert_allclose(found, wanted, atol=2e-3, err_msg=f"{activation} {squash}")
+        plain = PPO("MlpPolicy", robots.venv, seed=1, device="cpu")
+        plain.policy.action_net.weight.data *= 30
+        found = 3 * evaluate.PlayedPolicy(train.policy_text("Walk", [], [], [], 30, train.layers_of(plain))).act(raw)
+        np.testing.assert_allclose(found, plain.predict(raw, deterministic=True)[0], atol=2e-3)
         for activation, named in ((nn.LeakyReLU, "LeakyReLU"), (lambda: nn.ELU(alpha=2.0), "ELU")):
             model = PPO("MlpPolicy", robots, policy_kwargs={"activation_fn": activation, "net_arch": [4]}, device="cpu")
             with self.assertRaisesRegex(ValueError, f"A policy file cannot express {named}"):

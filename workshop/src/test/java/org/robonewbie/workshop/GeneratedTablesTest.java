@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -256,7 +257,10 @@ class GeneratedTablesTest {
 
     private static String actions(TrainingTask task) {
         String corrected = task.motion().map(Motion::name).orElse(task.walk().isPresent() ? "the walk engine" : "");
-        return task.outputs().size() + " × " + number(task.rangeDegrees()) + "°"
+        DoubleSummaryStatistics ranges =
+                task.joints().stream().mapToDouble(task::rangeDegrees).summaryStatistics();
+        String least = ranges.getMin() < ranges.getMax() ? number(ranges.getMin()) + "° to " : "";
+        return task.outputs().size() + " × " + least + number(ranges.getMax()) + "°"
                 + (corrected.isEmpty() ? "" : " from " + corrected);
     }
 

@@ -10,10 +10,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
+import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.agent.walk.GaitObservation;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
@@ -39,27 +41,29 @@ public final class PolicyPlayer {
 
     private static final String JOINT = "joint.";
     private static final String COMMAND = "command.";
-    private static final String RANGE = "range-degrees";
+    private static final double[] NONE = {};
 
     /** An input of the network: a reading at the time of the action, or of an earlier action. */
     private record Input(ToDoubleFunction<Robot> reading, int age) {}
 
     /** An output of the network: the speed of a joint, or an offset of its angle. */
-    private record Output(Joint joint, boolean isSpeed) {}
+    private record Output(Joint joint, boolean isSpeed, double rangeDegrees) {}
 
     private final InferenceSession session;
     private final List<Input> inputs;
     private final List<Output> outputs;
     private final int oldest;
     private final Deque<double[]> readings = new ArrayDeque<>();
-    private final double rangeDegrees;
     private final int cyclesPerAction;
+    private final boolean observesGait;
     private final Optional<Motion> motion;
     private final Map<String, Double> commands = new TreeMap<>();
     private Optional<MotionGuide> guide = Optional.empty();
     private double[] progress = {};
     private Posture first = Posture.ZERO;
     private double[] action = {};
+    private GaitObservation gait = new GaitObservation();
+    private double[] gaitValues = NONE;
     private boolean acting;
     private int cycles;
 
@@ -80,8 +84,8 @@ public final class PolicyPlayer {
                 .toList();
         outputs = policy.outputs().stream().map(PolicyPlayer::output).toList();
         oldest = inputs.stream().mapToInt(Input::age).max().orElse(0);
-        rangeDegrees = policy.numbers(RANGE, 1)[0];
         cyclesPerAction = policy.cyclesPerAction();
+        observesGait = policy.inputs().stream().map(Quantity::current).anyMatch(GaitObservation.INPUTS::contains);
     }
 
     private ToDoubleFunction<Robot> reading(Quantity input) {
@@ -92,7 +96,11 @@ public final class PolicyPlayer {
         if (input.name().startsWith(COMMAND)) {
             String command = input.name().substring(COMMAND.length());
             commands.put(command, 0.0);
-            return robot -> commands.getOrDefault(command, 0.0);
+            return robot -> commands.getOrDefault(command, 0.0) / input.factor();
+        }
+        int observed = GaitObservation.INPUTS.indexOf(input);
+        if (observed >= 0) {
+            return robot -> gaitValues[observed];
         }
         return SensedQuantity.of(input).reading();
     }
@@ -100,7 +108,7 @@ public final class PolicyPlayer {
     private static Output output(Quantity output) {
         return Arrays.stream(Joint.values())
                 .filter(joint -> output.name().equals(JOINT + joint) || output.equals(Quantity.speedOf(joint)))
-                .map(joint -> new Output(joint, output.equals(Quantity.speedOf(joint))))
+                .map(joint -> new Output(joint, output.equals(Quantity.speedOf(joint)), output.factor()))
                 .findAny()
                 .orElseThrow(() -> new IllegalArgumentException("The policy moves " + output.name()
                         + ", which is not a joint. Outputs are named like joint.LEFT_KNEE_PITCH."));
@@ -110,7 +118,7 @@ public final class PolicyPlayer {
      * Sets a command input of the policy.
      *
      * @param name name of the command, such as {@code distance} for a kick
-     * @param value value in the unit used in training; 0 until it is set
+     * @param value value in the unit used in training without its factor, such as degrees for {@code 30 degrees}; 0 until it is set
      * @throws IllegalArgumentException if the policy has no such command
      */
     public void setCommand(String name, double value) {
@@ -142,10 +150,20 @@ public final class PolicyPlayer {
             guide = motion.map(one -> new MotionGuide(one, first));
             session.reset();
             readings.clear();
+            gait = new GaitObservation();
+            action = new double[outputs.size()];
             acting = true;
             cycles = 0;
         }
+        if (observesGait) {
+            gait.update(
+                    posture(robot),
+                    new TorsoMotion(robot.getGyro(), robot.getAcceleration()),
+                    robot.getLeftFootPressure(),
+                    robot.getRightFootPressure());
+        }
         if (cycles % cyclesPerAction == 0) {
+            gaitValues = observesGait ? gait.values(action) : NONE;
             guide.ifPresent(one -> progress = one.progress(cycles));
             action = session.apply(sense(robot));
         }
@@ -176,7 +194,7 @@ public final class PolicyPlayer {
             if (outputs.get(i).isSpeed()) {
                 robot.setJointSpeed(joint, wanted[i] * joint.maxDegreesPerSecond());
             } else {
-                degrees[joint.ordinal()] += rangeDegrees * wanted[i];
+                degrees[joint.ordinal()] += outputs.get(i).rangeDegrees() * wanted[i];
                 joints.add(joint);
             }
         }

@@ -58,7 +58,7 @@ class PolicyPlayerTest {
         return new PolicyPlayer(new Policy(
                 "test",
                 List.of(),
-                Map.of("range-degrees", List.of(30.0)),
+                Map.of(),
                 List.of(new Quantity(input, unit)),
                 List.of(new Quantity(output, "30 degrees")),
                 Network.of(new int[] {1, 1}, 0, 1)));

@@ -78,7 +78,7 @@ public final class LearnedWalk {
         this.model = model;
         this.session = policy.network().session();
         this.cyclesPerAction = policy.cyclesPerAction();
-        this.units = policy.inputs().stream().mapToDouble(LearnedWalk::factor).toArray();
+        this.units = policy.inputs().stream().mapToDouble(Quantity::factor).toArray();
         int joints = model.joints().size();
         this.stance = policy.numbers("stance-degrees", joints);
         this.stiffness = policy.numbers("stiffness", joints);
@@ -91,7 +91,7 @@ public final class LearnedWalk {
         this.actionsPerStride = (int) policy.numbers("actions-per-stride", 1)[0];
         this.legs = policy.outputs().stream().map(this::jointOf).toList();
         this.rangeDegrees =
-                policy.outputs().stream().mapToDouble(LearnedWalk::factor).toArray();
+                policy.outputs().stream().mapToDouble(Quantity::factor).toArray();
         this.action = new double[legs.size()];
         if (units.length != INPUTS || legs.size() != OUTPUTS) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + units.length
@@ -103,11 +103,6 @@ public final class LearnedWalk {
         return model.joint(output.name())
                 .orElseThrow(() -> new IllegalArgumentException(
                         "The robot " + model.name() + " has no motor \"" + output.name() + "\"."));
-    }
-
-    /** Returns the factor in a unit such as {@code 25 degrees}. */
-    private static double factor(Quantity quantity) {
-        return Double.parseDouble(quantity.unit().split(" ", 2)[0]);
     }
 
     /** Returns the angles of all joints from which the walk begins, in degrees. */

@@ -1,6 +1,8 @@
 package org.robonewbie.agent.policy;
 
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 
 /**
@@ -13,6 +15,26 @@ import org.robonewbie.nao.Joint;
 public record Quantity(String name, String unit) {
 
     private static final String AGO = "@-";
+    private static final Pattern FACTOR = Pattern.compile("(\\d+(?:\\.\\d+)?)(?: .*)?");
+
+    /**
+     * Returns a quantity whose unit has a factor.
+     *
+     * @param name name of the quantity
+     * @param factor factor of the unit
+     * @param unit unit of measurement
+     * @return the quantity, such as one in {@code 10 degrees}
+     */
+    public static Quantity scaled(String name, double factor, String unit) {
+        return new Quantity(
+                name, (factor == (long) factor ? Long.toString((long) factor) : Double.toString(factor)) + " " + unit);
+    }
+
+    /** {@return the factor of the unit, such as 10 for {@code 10 degrees}; 1 for a unit without a factor} */
+    public double factor() {
+        Matcher number = FACTOR.matcher(unit);
+        return number.matches() ? Double.parseDouble(number.group(1)) : 1;
+    }
 
     /**
      * Returns the output that is the speed of a joint.

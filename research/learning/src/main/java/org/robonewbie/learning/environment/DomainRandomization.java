@@ -51,9 +51,10 @@ public final class DomainRandomization {
         HEADING("start heading of the robot, degrees (0: towards the right goal)"),
         BALL_X("start position of the ball, metres, on the pitch", X.min, X.max),
         BALL_Y(BALL_X.meaning, Y.min, Y.max),
-        PUSH("newtons by which each push, one per second, is harder than the last; in gait tasks, the hardest push"),
+        PUSH(
+                "newtons by which each push, one per second, is harder than the last; in Walk and gait tasks, the hardest push"),
         DELAY("additional cycles until an action reaches the motors", 0, 1000, true),
-        CYCLES("cycles per action (1); their rewards are added", 1, 1000, true),
+        CYCLES("cycles per action (1, in Walk 2); their rewards are added", 1, 1000, true),
         NOISE(
                 "standard deviation of additional noise of joint angles (degrees), gyro (degrees/s) and accelerometer (m/s2)",
                 0,

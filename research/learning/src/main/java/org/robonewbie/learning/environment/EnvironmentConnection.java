@@ -184,7 +184,11 @@ final class EnvironmentConnection {
         all.addProperty("task", spec.task());
         all.addProperty("reward", spec.reward());
         all.addProperty("longestCycles", task.longestCycles());
-        all.addProperty("rangeDegrees", task.rangeDegrees());
+        all.addProperty("cycles", environment.cyclesPerAction());
+        all.addProperty("actionLimit", task.actionLimit());
+        all.add(
+                "rangeDegrees",
+                GSON.toJsonTree(task.joints().stream().map(task::rangeDegrees).toList()));
         all.add(
                 "motion",
                 GSON.toJsonTree(task.motion().map(MotionGuide::numbers).orElse(List.of())));

@@ -11,6 +11,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
+import org.robonewbie.agent.walk.GaitObservation;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Joint;
@@ -37,12 +38,17 @@ final class EpisodeRunner implements Controller {
      */
     private static final int NOISY_READINGS = Joint.COUNT + 6;
 
+    private static final List<ObservedQuantity> GAIT = GaitObservation.INPUTS.stream()
+            .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), GaitObservation.MAX))
+            .toList();
+
     private final TrainingTask task;
     private final Measure measure;
     private final Controller motor = Controller.ofPolicy(this::speeds);
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final Perception perception;
+    private final GaitObservation gait = new GaitObservation();
     private Random noise = new Random(0);
     private double noiseSigma;
     private double[] perceived = {};
@@ -52,6 +58,7 @@ final class EpisodeRunner implements Controller {
     private int cycles;
     private ActionLatency latency = new ActionLatency(0, 0, new Random(0));
     private double[] action = {};
+    private double[] chosen = {};
     private int history = 1;
     private final Deque<double[]> past = new ArrayDeque<>();
     private double value;
@@ -98,6 +105,9 @@ final class EpisodeRunner implements Controller {
         if (task.walk().isPresent()) {
             return WalkGuide.QUANTITIES;
         }
+        if (task.observesGait()) {
+            return Stream.concat(GAIT.stream(), task.extraQuantities().stream()).toList();
+        }
         Stream<ObservedQuantity> progress = task.motion().isPresent()
                 ? MotionGuide.PROGRESS.stream().map(one -> new ObservedQuantity(one.name(), one.unit(), -1, 1))
                 : Stream.empty();
@@ -123,23 +133,27 @@ final class EpisodeRunner implements Controller {
                 (int) Math.round(options.of(Name.JITTER, 0)),
                 new Random(31 * ~(seed + task.robot()) + 13),
                 new double[task.joints().size()]);
+        chosen = new double[task.joints().size()];
         see(first, readings);
         reward = 0;
     }
 
-    /** Sets the action of the next cycle. Its components are clamped to [-1, 1]. */
-    void act(double... newAction) {
-        action = latency.send(newAction);
+    /** Sends the current action to the motors, which it reaches in the next cycle unless there is a delay. */
+    void act() {
+        action = latency.send(chosen);
     }
 
-    /** Keeps the observation and sets the reward to 0 before an action. */
-    void beginAction() {
+    /** Keeps the observation, begins an action, whose components are clamped to [-1, 1], and sets the reward to 0. */
+    void beginAction(double... newAction) {
         if (history > 1) {
             past.addFirst(row());
             if (past.size() == history) {
                 past.removeLast();
             }
         }
+        chosen = Arrays.stream(newAction)
+                .map(part -> Math.max(-1, Math.min(1, part)))
+                .toArray();
         reward = 0;
     }
 
@@ -155,6 +169,13 @@ final class EpisodeRunner implements Controller {
         perceived = perception.observe(readings);
         for (int i = 0; i < NOISY_READINGS && noiseSigma > 0; i++) {
             perceived[i] += noiseSigma * noise.nextGaussian();
+        }
+        if (task.observesGait()) {
+            gait.update(
+                    Perception.posture(perceived),
+                    Perception.torso(perceived),
+                    Perception.leftFoot(perceived),
+                    Perception.rightFoot(perceived));
         }
         walk.ifPresent(one -> one.plan(task.velocity(), perceived));
     }
@@ -180,9 +201,13 @@ final class EpisodeRunner implements Controller {
 
     private double[] row() {
         return walk.map(WalkGuide::inputs)
-                .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())
-                        .flatMapToDouble(DoubleStream::of)
-                        .toArray());
+                .orElseGet(() -> sensed().flatMapToDouble(DoubleStream::of).toArray());
+    }
+
+    private Stream<double[]> sensed() {
+        return task.observesGait()
+                ? Stream.of(gait.values(chosen), task.extras())
+                : Stream.of(perceived, motionProgress(), task.extras());
     }
 
     private double[] motionProgress() {
@@ -205,10 +230,7 @@ final class EpisodeRunner implements Controller {
     private double[] speeds(SensorReadings readings) {
         readings.sense(joints);
         if (action.length > 0) {
-            double[] clamped = Arrays.stream(action)
-                    .map(part -> Math.max(-1, Math.min(1, part)))
-                    .toArray();
-            walk.ifPresentOrElse(one -> one.move(clamped), () -> move(clamped));
+            walk.ifPresentOrElse(one -> one.move(action), () -> move(action));
         }
         motors.endCycle();
         return motors.sentDegreesPerSecond();
@@ -226,7 +248,8 @@ final class EpisodeRunner implements Controller {
         double[] degrees =
                 guide.map(one -> one.posture(cycles)).orElse(firstPosture).toArray();
         for (int i = 0; i < parts.length; i++) {
-            degrees[task.joints().get(i).ordinal()] += parts[i] * task.rangeDegrees();
+            Joint joint = task.joints().get(i);
+            degrees[joint.ordinal()] += parts[i] * task.rangeDegrees(joint);
         }
         for (Joint joint : guide.isPresent() ? ALL_JOINTS : task.joints()) {
             motors.setTarget(joint, joint.clampDegrees(degrees[joint.ordinal()]), joint.maxDegreesPerSecond());

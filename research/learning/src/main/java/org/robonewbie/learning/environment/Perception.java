@@ -1,6 +1,7 @@
 package org.robonewbie.learning.environment;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.perception.FootPressure;
@@ -8,6 +9,7 @@ import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
+import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.protocol.perceptor.PolarPosition;
@@ -100,6 +102,10 @@ public final class Perception {
             ball[2] = PerceptorMessageWriter.rounded(seen.horizontalDegrees());
             ball[3] = PerceptorMessageWriter.rounded(seen.verticalDegrees());
         });
+    }
+
+    static Posture posture(double... row) {
+        return Posture.of(Arrays.copyOf(row, Joint.COUNT));
     }
 
     static TorsoMotion torso(double... row) {

@@ -122,8 +122,9 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     private void begin(long seed) {
-        DomainRandomization drawn = options.draw(seed);
         TrainingTask task = task();
+        DomainRandomization drawn =
+                options.withDefaultCycles(task.cyclesPerAction()).draw(seed);
         cyclesPerAction = drawn.cycles();
         if (cyclesPerAction > 1 && task.walk().isPresent()) {
             throw new IllegalArgumentException(
@@ -184,18 +185,18 @@ public final class TrainingEnvironment implements AutoCloseable {
 
     /** Applies one action for each learning robot. */
     void act(double[]... actions) {
-        runners.forEach(EpisodeRunner::beginAction);
+        for (int robot = 0; robot < runners.size(); robot++) {
+            runners.get(robot).beginAction(actions[robot]);
+        }
         int run = 0;
         do {
-            runCycle(actions);
+            runCycle();
             run++;
         } while (run < cyclesPerAction && !isTerminated());
     }
 
-    private void runCycle(double[][] actions) {
-        for (int robot = 0; robot < runners.size(); robot++) {
-            runners.get(robot).act(actions[robot]);
-        }
+    private void runCycle() {
+        runners.forEach(EpisodeRunner::act);
         now = trial.step();
         for (EpisodeRunner runner : runners) {
             runner.see(now, trial.readings(runner.task().robot()));
@@ -245,6 +246,11 @@ public final class TrainingEnvironment implements AutoCloseable {
     /** {@return whether the task has ended the episode, for example because of a fall} */
     public boolean isTerminated() {
         return runners.stream().anyMatch(EpisodeRunner::isTerminated);
+    }
+
+    /** Returns the number of cycles per action. */
+    int cyclesPerAction() {
+        return cyclesPerAction;
     }
 
     /** {@return the number of cycles of the episode so far} */

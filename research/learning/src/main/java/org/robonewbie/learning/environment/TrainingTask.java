@@ -2,11 +2,11 @@ package org.robonewbie.learning.environment;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.agent.walk.GaitObservation;
 import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
@@ -160,12 +160,21 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
 
     /** {@return the names and units of an action's components, which are the outputs of a policy} */
     public final List<Quantity> outputs() {
-        String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
         return walk().isPresent()
                 ? ResidualPolicy.OUTPUTS
                 : joints().stream()
-                        .map(joint -> speeds ? Quantity.speedOf(joint) : new Quantity("joint." + joint, unit))
+                        .map(joint -> speeds
+                                ? Quantity.speedOf(joint)
+                                : Quantity.scaled("joint." + joint, rangeDegrees(joint), "degrees"))
                         .toList();
+    }
+
+    /**
+     * {@return the bound of a learning program's actions, which are divided by it; by default 1. PPO explores with a standard deviation of 1
+     * at first, so a bound of 3 makes this noise a third of the range}
+     */
+    public double actionLimit() {
+        return 1;
     }
 
     /** {@return the joints that an action moves, by default those of both legs; all other joints hold still} */
@@ -175,6 +184,29 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
 
     /** {@return the angle in degrees by which an action of 1 turns a joint away from the initial posture} */
     public abstract double rangeDegrees();
+
+    /**
+     * Returns the angle by which an action of 1 turns a joint away from the initial posture, by default that of all joints.
+     *
+     * @param joint one of the {@link #joints}
+     * @return the angle in degrees
+     */
+    public double rangeDegrees(Joint joint) {
+        return rangeDegrees();
+    }
+
+    /** {@return the number of cycles per action unless the option {@code cycles} sets it, by default 1} */
+    public int cyclesPerAction() {
+        return 1;
+    }
+
+    /**
+     * {@return whether an observation contains the {@link GaitObservation#INPUTS} instead of the sensor readings; false by default. The
+     * task must move the joints of both legs}
+     */
+    public boolean observesGait() {
+        return false;
+    }
 
     /** {@return the number of cycles after which an episode is truncated, by default 500 (10 s)} */
     public int longestCycles() {

@@ -30,6 +30,7 @@ final class VectorEnvironment implements AutoCloseable {
     private Optional<Policy> policy = Optional.empty();
     private final int robots;
     private final int actions;
+    private final double actionLimit;
     private final int requestBytes;
     private final int answerBytes;
     private final int observationBytes;
@@ -41,6 +42,7 @@ final class VectorEnvironment implements AutoCloseable {
         boolean any = !environments.isEmpty();
         robots = any ? environments.get(0).robots() : 0;
         actions = any ? environments.get(0).task().joints().size() : 0;
+        actionLimit = any ? environments.get(0).task().actionLimit() : 1;
         requestBytes = BYTES_BEFORE_ACTION + Float.BYTES * actions;
         observationBytes = any ? Float.BYTES * environments.get(0).quantities().size() : 0;
         trueState = any && environments.get(0).hasTrueState();
@@ -152,7 +154,8 @@ final class VectorEnvironment implements AutoCloseable {
         double[][] all = new double[robots][actions];
         for (int robot = 0; robot < robots; robot++) {
             for (int i = 0; i < actions; i++) {
-                all[robot][i] = request.getFloat(offset + robot * requestBytes + BYTES_BEFORE_ACTION + i * Float.BYTES);
+                all[robot][i] = request.getFloat(offset + robot * requestBytes + BYTES_BEFORE_ACTION + i * Float.BYTES)
+                        / actionLimit;
             }
         }
         return all;

@@ -42,7 +42,6 @@ public final class PolicyModel {
     private static final double BIAS_SCALE = 4;
 
     private static final double GAIT_SCALE = 3;
-    private static final String RANGE = "range-degrees";
 
     /**
      * Typical magnitude of an input, keyed by unit. For inputs with other units, the magnitude is half of their range.
@@ -218,13 +217,15 @@ public final class PolicyModel {
     public Policy policy(List<String> about, double... parameters) {
         Map<String, List<Double>> others =
                 new TreeMap<>(task.walk().map(Policy::numbers).orElse(Map.of()));
-        others.put(RANGE, List.of(task.rangeDegrees()));
         if (gait.length > 0) {
             others.put(
                     PolicyWalk.GAIT,
                     Arrays.stream(parameters).limit(gait.length).boxed().toList());
         }
-        int cycles = spec.randomization().draw(0).cycles();
+        int cycles = spec.randomization()
+                .withDefaultCycles(task.cyclesPerAction())
+                .draw(0)
+                .cycles();
         if (cycles > 1) {
             others.put(Policy.CYCLES_PER_ACTION, List.of((double) cycles));
         }

@@ -44,17 +44,22 @@ class PlayedPolicyTest {
 
     @Test
     void agentMovesAsTheLearnerDid() {
-        movesAsTheLearnerDid(Still::new, 1, 0.5);
+        movesAsTheLearnerDid(Still::new, CYCLES, 1, 0.5);
     }
 
     @Test
     void actionsLastAsLongAsTheLearnersDid() {
-        movesAsTheLearnerDid(Still::new, 3, 0.5);
+        movesAsTheLearnerDid(Still::new, CYCLES, 3, 0.5);
     }
 
     @Test
     void agentCorrectsTheMotionAsTheLearnerDid() {
-        movesAsTheLearnerDid(Nodding::new, 1, 20);
+        movesAsTheLearnerDid(Nodding::new, CYCLES, 1, 20);
+    }
+
+    @Test
+    void agentObservesItsGaitAsTheLearnerDid() {
+        movesAsTheLearnerDid(Balancing::new, 9, 3, 1.5);
     }
 
     /** The engine of an agent begins to feel in its second cycle, so the angles differ a little. */
@@ -137,49 +142,50 @@ class PlayedPolicyTest {
         }
     }
 
-    private static void movesAsTheLearnerDid(Supplier<TrainingTask> tasks, int cyclesPerAction, double leastDegrees) {
+    private static void movesAsTheLearnerDid(
+            Supplier<TrainingTask> tasks, int cycles, int cyclesPerAction, double leastDegrees) {
         DomainRandomization options = DomainRandomization.NONE.with("cycles", String.valueOf(cyclesPerAction));
         try (TrainingEnvironment learned = new TrainingEnvironment(() -> List.of(runner(tasks.get())), options)) {
             Policy policy = policy(learned, cyclesPerAction);
             learned.reset(1);
             Posture first = learned.now().robot().joints();
-            for (int i = 0; i < CYCLES / cyclesPerAction; i++) {
+            for (int i = 0; i < cycles / cyclesPerAction; i++) {
                 learned.step(policy.network().apply(learned.observation()));
             }
             Posture wanted = learned.now().robot().joints();
 
-            assertThat(played(tasks.get(), policy).largestDifference(wanted)).isLessThan(0.1);
+            assertThat(played(tasks.get(), policy, cycles).largestDifference(wanted))
+                    .isLessThan(0.1);
             assertThat(wanted.largestDifference(first)).isGreaterThan(leastDegrees);
         }
     }
 
-    private static Posture played(TrainingTask task, Policy policy) {
+    private static Posture played(TrainingTask task, Policy policy, int cycles) {
         try (Trial trial = Trial.direct(task.scene(new RandomSource(1)), 1, Controller.ofAgent(new Player(policy)))) {
-            for (int i = 0; i < CYCLES; i++) {
+            for (int i = 0; i < cycles; i++) {
                 trial.step();
             }
             return trial.now().robot().joints();
         }
     }
 
-    /** Takes all that is observed, in units of its range, with weights that move the legs by some degrees. */
+    /** Takes all that is observed, with weights that move the legs by some degrees. */
     private static Policy policy(TrainingEnvironment learned, int cyclesPerAction) {
         TrainingTask task = learned.task();
         List<ObservedQuantity> felt = learned.quantities();
         int[] sizes = {felt.size(), task.joints().size()};
+        double weight = task.observesGait() ? 0.1 : 0.0003;
         double[] numbers =
-                new Random(5).doubles(Network.size(sizes), -0.0003, 0.0003).toArray();
-        Map<String, List<Double>> others = new HashMap<>(Map.of(
-                "range-degrees", List.of(task.rangeDegrees()), "cycles-per-action", List.of((double) cyclesPerAction)));
+                new Random(5).doubles(Network.size(sizes), -weight, weight).toArray();
+        Map<String, List<Double>> others =
+                new HashMap<>(Map.of("cycles-per-action", List.of((double) cyclesPerAction)));
         task.motion().ifPresent(motion -> others.put("motion", MotionGuide.numbers(motion)));
         return new Policy(
                 "still",
                 List.of(),
                 others,
                 felt.stream().map(one -> new Quantity(one.name(), one.unit())).toList(),
-                task.joints().stream()
-                        .map(joint -> new Quantity("joint." + joint, "10 degrees"))
-                        .toList(),
+                task.outputs(),
                 Network.of(sizes, numbers));
     }
 
@@ -243,6 +249,20 @@ class PlayedPolicyTest {
         public Optional<Motion> motion() {
             return Optional.of(new Motion(
                     "nod", List.of(new Keyframe(500, UP), new Keyframe(200, UP.with(Joint.NECK_PITCH, -20)))));
+        }
+    }
+
+    /** Stands in the stance, and corrects it by what it observes of its gait. */
+    private static final class Balancing extends Still {
+
+        @Override
+        public boolean observesGait() {
+            return true;
+        }
+
+        @Override
+        public double rangeDegrees(Joint joint) {
+            return joint.name().endsWith("KNEE_PITCH") ? 20 : 10;
         }
     }
 

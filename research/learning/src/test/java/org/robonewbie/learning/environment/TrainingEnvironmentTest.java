@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
@@ -122,8 +123,63 @@ class TrainingEnvironmentTest {
     }
 
     @Test
+    void robotWalksNowhereWithoutLearning() {
+        Random random = new Random(1);
+
+        assertThat(meanMetres(() -> NOTHING)).isBetween(-0.1, 0.1);
+        assertThat(meanMetres(() -> random.doubles(12, -1, 1).toArray())).isBetween(-0.3, 0.3);
+    }
+
+    /** Returns how far ahead the robot gets in an episode of the task Walk. */
+    private static double meanMetres(Supplier<double[]> actions) {
+        TrainingEnvironment walk = environment("Walk");
+        return LongStream.range(0, 16)
+                .mapToDouble(seed -> {
+                    walk.reset(seed);
+                    double start = walk.now().place().x();
+                    while (!walk.isTerminated() && !walk.isTruncated()) {
+                        walk.step(actions.get());
+                    }
+                    return walk.now().place().x() - start;
+                })
+                .average()
+                .orElseThrow();
+    }
+
+    @Test
+    void walkTellsHowFarToTurn() {
+        TrainingEnvironment walk = environment("Walk");
+        int heading = walk.quantities().size() - 1;
+        List<Double> degrees = new Random(1)
+                .longs(20)
+                .mapToObj(seed -> {
+                    walk.reset(seed);
+                    return 30 * walk.observation()[heading];
+                })
+                .toList();
+
+        assertThat(walk.quantities().get(heading).name()).isEqualTo("command.heading");
+        assertThat(degrees)
+                .allMatch(angle -> Math.abs(angle) <= 10.1)
+                .anyMatch(angle -> angle > 3)
+                .anyMatch(angle -> angle < -3);
+    }
+
+    @Test
+    void anActionOfWalkLastsTwoCyclesUnlessAnOptionSetsThem() {
+        TrainingEnvironment walk = environment("Walk");
+        TrainingEnvironment fine = environment("Walk", "cycles=1");
+
+        walk.step(NOTHING);
+        fine.step(NOTHING);
+
+        assertThat(walk.cycles()).isEqualTo(2);
+        assertThat(fine.cycles()).isEqualTo(1);
+    }
+
+    @Test
     void rewardsAddUpToTheValueOfTheMeasure() {
-        TrainingEnvironment walk = environment("Walk", "reward=distance-walked");
+        TrainingEnvironment walk = environment("Walk", "reward=distance-walked", "cycles=1");
         walk.reset(1);
         double sum = 0;
         double[] bend = NOTHING.clone();
@@ -144,7 +200,7 @@ class TrainingEnvironmentTest {
 
     @Test
     void measureOfWhichLessIsBetterCosts() {
-        TrainingEnvironment energy = environment("Walk", "reward=energy");
+        TrainingEnvironment energy = environment("Stand", "reward=energy");
 
         energy.step(0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
         energy.step(0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);

@@ -77,7 +77,7 @@ class PolicyModelTest {
 
         Policy policy = kick.policy(List.of(), kick.initial(1));
 
-        assertThat(policy.numbers()).containsOnlyKeys("motion", "range-degrees");
+        assertThat(policy.numbers()).containsOnlyKeys("motion");
         assertThat(policy.inputs()).extracting("name").contains("motion.sine-1", "command.distance", "gyro.left");
     }
 
