@@ -25,14 +25,19 @@ final class WalkTraining extends TrainingTask {
 
     private static final double MAX_DEGREES_ASIDE = 10;
     private static final double MAX_PUSH_NEWTONS = 8;
+    private static final double MAX_HEADING_ERROR_DEGREES = 8;
+    private static final int CYCLES_OF_AN_ERROR = 50;
     private static final double GOAL_METRES = 8;
     private static final double METRE_REWARD = 1;
+    private static final double MAX_PAID_METRES_PER_SECOND = 0.6;
     private static final double SECOND_REWARD = 0.1;
     private static final double FALL_PENALTY = 0.5;
     private static final ObservedQuantity HEADING = ObservedQuantity.symmetric("command.heading", "30 degrees", 6);
     private static final double HEADING_UNIT_DEGREES = 30;
 
     private double degreesAside;
+    private double headingErrorDegrees;
+    private int cycles;
     private double degreesToTurn;
     private double metres;
     private double seconds;
@@ -96,7 +101,10 @@ final class WalkTraining extends TrainingTask {
         return List.of(HEADING);
     }
 
-    /** {@return the angle by which the robot has to turn left to face the direction, which an agent knows from its localisation} */
+    /**
+     * {@return the angle by which the robot has to turn left to face the direction, which an agent knows from its localisation: with an
+     * error that jumps}
+     */
     @Override
     public double[] extras() {
         return new double[] {degreesToTurn / HEADING_UNIT_DEGREES};
@@ -106,7 +114,11 @@ final class WalkTraining extends TrainingTask {
     protected void see(WorldState first, WorldState now) {
         Pose2d start = first.place();
         Pose2d towards = new Pose2d(start.x(), start.y(), start.degrees() + degreesAside);
-        degreesToTurn = Angles.wrap(towards.degrees() - now.place().degrees());
+        if (cycles % CYCLES_OF_AN_ERROR == 0) {
+            headingErrorDegrees = random().between(-MAX_HEADING_ERROR_DEGREES, MAX_HEADING_ERROR_DEGREES);
+        }
+        cycles++;
+        degreesToTurn = Angles.wrap(towards.degrees() - now.place().degrees() + headingErrorDegrees);
         if (!hasFallen()) {
             metres = towards.ahead(now.robot().position());
             seconds += Cycle.SECONDS;
@@ -121,7 +133,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "1 per metre in a direction up to 10 degrees beside the initial heading and 0.1 per second without a fall; a fall costs 0.5."
+        return "1 per metre in a direction up to 10 degrees beside the initial heading, up to 0.6 per second, and 0.1 per second; a fall costs 0.5."
                 + " Each second a push of up to 8 N";
     }
 
@@ -132,6 +144,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public double value() {
-        return METRE_REWARD * metres + SECOND_REWARD * seconds - (hasFallen() ? FALL_PENALTY : 0);
+        double paid = Math.min(metres, MAX_PAID_METRES_PER_SECOND * seconds);
+        return METRE_REWARD * paid + SECOND_REWARD * seconds - (hasFallen() ? FALL_PENALTY : 0);
     }
 }
