@@ -147,7 +147,7 @@ class TrainingEnvironmentTest {
     }
 
     @Test
-    void walkTellsHowFarToTurn() {
+    void walkTellsHowFarToTurnWithAnErrorThatChangesEachSecond() {
         TrainingEnvironment walk = environment("Walk");
         int heading = walk.quantities().size() - 1;
         List<Double> degrees = new Random(1)
@@ -160,9 +160,19 @@ class TrainingEnvironmentTest {
 
         assertThat(walk.quantities().get(heading).name()).isEqualTo("command.heading");
         assertThat(degrees)
-                .allMatch(angle -> Math.abs(angle) <= 10.1)
+                .allMatch(angle -> Math.abs(angle) <= 18.1)
                 .anyMatch(angle -> angle > 3)
                 .anyMatch(angle -> angle < -3);
+        double first = 30 * walk.observation()[heading];
+        double[] after = new double[2];
+        for (int second = 0; second < 2; second++) {
+            for (int action = 0; action < (second == 0 ? 20 : 25); action++) {
+                walk.step(NOTHING);
+            }
+            after[second] = 30 * walk.observation()[heading];
+        }
+        assertThat(after[0]).isCloseTo(first, within(0.5));
+        assertThat(Math.abs(after[1] - first)).isBetween(0.5, 16.5);
     }
 
     @Test
