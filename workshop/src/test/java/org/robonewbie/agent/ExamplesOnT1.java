@@ -86,7 +86,8 @@ public final class ExamplesOnT1 {
     public static List<String> reports(Agent agent, AgentLink link) {
         AgentDriver driver = new AgentDriver(agent);
         try {
-            driver.play(link, driver.defaultOptions().withTeam("Blue").overriddenBy("--robot", "T1"));
+            driver.joinLeague(link, driver.defaultOptions().withTeam("Blue").overriddenBy("--robot", "T1"));
+            driver.resume();
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.robonewbie.agent.cycle.CycleWatch;
+import org.robonewbie.agent.cycle.LinkPort;
 import org.robonewbie.agent.cycle.MessagePort;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
@@ -105,9 +106,24 @@ public final class AgentDriver {
      * @throws StartUpException if the simulator refuses the robot
      */
     public void join(AgentLink link, Options options) throws IOException {
+        join(link, new LinkPort(link, agent.runtime().sensors().buffer()), options);
+    }
+
+    /**
+     * Joins a game on the server of the robot that the options name, such as a T1.
+     *
+     * @param link the robot's end of the connection
+     * @param options options that include robot, team, number and starting pose
+     * @throws IOException if the server closes the connection before the game begins
+     * @throws StartUpException if the server refuses the robot
+     */
+    public void joinLeague(AgentLink link, Options options) throws IOException {
+        join(link, AgentRunner.port(agent.runtime(), link, options), options);
+    }
+
+    private void join(AgentLink link, MessagePort wire, Options options) throws IOException {
         agent.begin(options);
         link.offerState(new AgentState(agent));
-        MessagePort wire = AgentRunner.port(agent.runtime(), link, options);
         new StartDialogue(wire, agent.runtime(), options).run(() -> {}, () -> {});
         session = new Session(agent.runtime(), wire, options.seconds(), CycleWatch.NONE);
     }

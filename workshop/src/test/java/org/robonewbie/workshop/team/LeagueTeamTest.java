@@ -82,7 +82,7 @@ class LeagueTeamTest {
             AgentDriver driver = new AgentDriver(new Agent_Team(number));
             Options options = driver.defaultOptions().withTeam(team).overriddenBy("--robot", "T1");
             try (link) {
-                driver.join(link, options);
+                driver.joinLeague(link, options);
                 joined.countDown();
                 driver.resume();
             } catch (IOException lost) {
