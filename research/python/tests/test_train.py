@@ -157,7 +157,7 @@ class TrainTest(unittest.TestCase):
                 self.assertGreater(np.mean(learned.successes), np.mean(nothing.successes))
                 for name, result in ((f"`{policy.name}`", learned), ("zero actions", nothing)):
                     reward, error, successes = board[task, name]
-                    self.assertAlmostEqual(np.mean(result.returns), reward, delta=error)
+                    self.assertAlmostEqual(np.mean(result.returns), reward, delta=error + 0.0005)  # of printed digits
                     self.assertAlmostEqual(np.sum(result.successes), successes, delta=4)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
