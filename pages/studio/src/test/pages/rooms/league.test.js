@@ -44,7 +44,7 @@ async function goTo(user, seconds) {
   await user.sees(`${seconds.toFixed(2)} of `);
 }
 
-/** Serves the messages of the log as a monitor port: the first at once, and all others after an order to kick off. */
+/** Starts a server that sends the first message of the log when a monitor connects, and the rest when it orders the kick-off. */
 async function serveLog(t) {
   const [first, ...others] = gunzipSync(await readFile(LOG))
     .toString()

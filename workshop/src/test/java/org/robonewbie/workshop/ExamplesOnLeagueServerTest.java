@@ -3,12 +3,10 @@ package org.robonewbie.workshop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,10 +23,8 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.studio.league.LeagueServer;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 import org.robonewbie.workshop.load.ExampleLoad;
 
@@ -37,7 +33,6 @@ import org.robonewbie.workshop.load.ExampleLoad;
 @Timeout(300)
 class ExamplesOnLeagueServerTest {
 
-    private static final String HOST = "127.0.0.1";
     private static final Vector3 FORWARD = new Vector3(1, 0, 0);
 
     static Stream<String> examples() {
@@ -46,29 +41,17 @@ class ExamplesOnLeagueServerTest {
 
     @ParameterizedTest
     @MethodSource("examples")
-    @SuppressWarnings("try") // the server only has to run
     void exampleDoesWhatTheTableSays(String name) throws IOException {
-        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
-        Assumptions.assumeTrue(isRequired || LeagueServer.find().isPresent(), "RCSSServerMJ is not installed");
         Class<? extends Agent> type =
                 Objects.requireNonNull(ExampleLoad.examples().get(name));
         String promised = ExamplesOnT1.missing(ExampleLoad.agents(type).get(0));
-        int port = freePort();
-        int monitorPort = freePort();
 
-        try (LeagueServer server = LeagueServer.start(port, monitorPort, "--no-realtime");
-                MonitoredSimulation match = MonitoredSimulation.connect(HOST, monitorPort);
-                AgentLink link = new BallMover(TcpAgentLink.connect(HOST, port), match)) {
+        try (RunningLeagueServer server = RunningLeagueServer.orSkip();
+                AgentLink link = new BallMover(server.connect(), server.match())) {
             List<String> reports = ExamplesOnT1.reports(ExampleLoad.agents(type).get(0), link);
 
             assertThat(ExamplesOnT1.missing(reports)).as("%s", reports).isEqualTo(promised);
             assertThat(reports).noneMatch(report -> report.contains("has fallen"));
-        }
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket port = new ServerSocket(0)) {
-            return port.getLocalPort();
         }
     }
 

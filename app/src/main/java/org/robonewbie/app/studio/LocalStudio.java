@@ -16,7 +16,9 @@ import org.robonewbie.studio.FullStudio;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
+import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.FirstProgram;
+import org.robonewbie.studio.service.PageService;
 
 /** The studio with exercises and with the programs in a folder of this computer. */
 public final class LocalStudio implements FullStudio {
@@ -80,18 +82,28 @@ public final class LocalStudio implements FullStudio {
             Optional<FirstProgram> first)
             throws IOException {
         ShownSimulation shown = new ShownSimulation(simulation);
-        LocalCourseHost host = new LocalCourseHost(opened.programs(), simulation, shown);
+        Optional<PageService> course = Optional.empty();
+        if (simulation.hasClock()) {
+            course = Optional.of(course(new LocalCourseHost(opened.programs(), simulation, shown), language));
+        }
+        Optional<CompilerService> workshop = Optional.empty();
+        if (simulation.agentPort().isPresent()) {
+            workshop = Optional.of(workshop(opened.programs(), options, first));
+        }
+        return StudioViewer.open(shown, port, opened.folders(), course, workshop);
+    }
+
+    private static PageService course(LocalCourseHost host, Language language) {
         CourseService course = new CourseService(ProgressService.ofUser(), host, System.getProperty("user.name", ""));
         course.setLanguage(language.code());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs(), options, first);
+        return course::answer;
+    }
+
+    private static CompilerService workshop(Path folder, List<String> options, Optional<FirstProgram> first) {
+        ProcessCompilerService workshop = new ProcessCompilerService(folder, options, first);
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
-        return StudioViewer.open(
-                shown,
-                port,
-                opened.folders(),
-                simulation.hasClock() ? Optional.of(course::answer) : Optional.empty(),
-                simulation.agentPort().isPresent() ? Optional.of(workshop) : Optional.empty());
+        return workshop;
     }
 
     /** Returns the source file of a class in the working directory or its Maven project. */

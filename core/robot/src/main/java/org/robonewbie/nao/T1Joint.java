@@ -76,4 +76,14 @@ public enum T1Joint {
     public double maxDegrees() {
         return maxDegrees;
     }
+
+    /**
+     * Clamps an angle to the joint's range.
+     *
+     * @param degrees any angle in degrees; not NaN
+     * @return the nearest angle within the range, in degrees
+     */
+    public double clampDegrees(double degrees) {
+        return Math.max(minDegrees, Math.min(maxDegrees, degrees));
+    }
 }

@@ -1,34 +1,11 @@
 package org.robonewbie.simulator;
 
 import java.io.IOException;
-import org.robonewbie.protocol.frame.AgentLink;
+import java.util.Optional;
+import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 
-/** A running simulator that is joined by the program that has started or found it. */
-public interface JoinableSimulator extends AutoCloseable {
-
-    /**
-     * Connects a new agent.
-     *
-     * @return the agent's end of the connection
-     * @throws IOException if a simulator in another process does not respond
-     */
-    AgentLink connect() throws IOException;
-
-    /** {@return the TCP port on 127.0.0.1 for agents in other processes} */
-    int agentPort();
-
-    /**
-     * {@return whether the simulator is a separate server: it does not end the run by itself, and robots should join it one at a
-     * time}
-     */
-    default boolean isServer() {
-        return false;
-    }
-
-    /** {@return a sentence about the simulator without its full stop, for users} */
-    default String description() {
-        return "Started a simulator on agent port " + agentPort();
-    }
+/** A simulator without a view, which is joined by the program that has started or found it. */
+public interface JoinableSimulator extends EmbeddedSimulator {
 
     /**
      * Returns the simulation for a view.
@@ -45,7 +22,8 @@ public interface JoinableSimulator extends AutoCloseable {
      */
     void awaitEnd() throws InterruptedException;
 
-    /** Ends the simulation. Closing again has no effect. */
     @Override
-    void close();
+    default Optional<String> studioAddress() {
+        return Optional.empty();
+    }
 }

@@ -220,18 +220,7 @@ public class Agent_Team extends Agent {
 
     private void broadcast() {
         if (Talk.isMyTurn(world.seconds(), world.number())) {
-            Plan plan = strategy.plan();
-            TeamMessage message = new TeamMessage(
-                    world.number(),
-                    world.pose(),
-                    world.isFallen(),
-                    plan.role(),
-                    world.ball(),
-                    world.ballVelocity(),
-                    world.ownBallAgeSeconds(),
-                    strategy.secondsToBall(),
-                    plan.receiver(),
-                    plan.target());
+            TeamMessage message = strategy.message(strategy.plan());
             nao.say(world.abilities().movesLegs() ? message.encode() : ShortMessage.encode(message, nao.getTeam()));
         }
     }

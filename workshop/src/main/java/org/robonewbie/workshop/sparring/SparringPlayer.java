@@ -18,7 +18,6 @@ import org.robonewbie.team.tactics.Plan.Action;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.Strategy;
 import org.robonewbie.team.talk.Talk;
-import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
@@ -179,18 +178,7 @@ public final class SparringPlayer extends Agent {
 
     private void broadcast() {
         if (Talk.isMyTurn(world.seconds(), world.number())) {
-            nao.say(new TeamMessage(
-                            world.number(),
-                            world.pose(),
-                            world.isFallen(),
-                            plan.role(),
-                            world.ball(),
-                            world.ballVelocity(),
-                            world.ownBallAgeSeconds(),
-                            strategy.secondsToBall(),
-                            plan.receiver(),
-                            plan.target())
-                    .encode());
+            nao.say(strategy.message(plan).encode());
         }
     }
 }

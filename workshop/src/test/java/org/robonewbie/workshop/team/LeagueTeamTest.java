@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.ServerSocket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,45 +20,36 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.studio.league.LeagueServer;
-import org.robonewbie.studio.monitor.MonitoredSimulation;
 import org.robonewbie.team.Agent_Team;
+import org.robonewbie.workshop.RunningLeagueServer;
 
 /** A match of the example team against itself, seven T1 a side, on a real RCSSServerMJ. */
 @Tag("slow")
 @Timeout(1500)
 class LeagueTeamTest {
 
-    private static final String HOST = "127.0.0.1";
     private static final int PLAYERS = 7;
     private static final double SECONDS = 60;
 
     @Test
-    @SuppressWarnings("try") // the server only has to run
     void fourteenRobotsPlayForAMinute() throws Exception {
-        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
-        Assumptions.assumeTrue(isRequired || LeagueServer.find().isPresent(), "RCSSServerMJ is not installed");
-        int port = freePort();
-        int monitorPort = freePort();
         Referee referee = new Referee();
         List<AgentLink> links = new ArrayList<>();
 
-        try (LeagueServer server = LeagueServer.start(port, monitorPort, "--no-realtime");
-                MonitoredSimulation match = MonitoredSimulation.connect(HOST, monitorPort)) {
-            match.addObserver(referee);
+        try (RunningLeagueServer server = RunningLeagueServer.orSkip()) {
+            server.match().addObserver(referee);
             RobotThreads robots = new RobotThreads();
             for (int number = 1; number <= PLAYERS; number++) {
                 for (String team : List.of("Blue", "Red")) {
-                    AgentLink link = TcpAgentLink.connect(HOST, port);
+                    AgentLink link = server.connect();
                     links.add(link);
                     join(number, team, link, robots);
                 }
             }
-            match.order(new Order.KickOff(TeamSide.LEFT));
+            server.match().order(new Order.KickOff(TeamSide.LEFT));
             boolean isOver = referee.over.await(1200, TimeUnit.SECONDS);
             links.forEach(AgentLink::close);
             robots.await();
@@ -92,12 +81,6 @@ class LeagueTeamTest {
             }
         });
         joined.await();
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket port = new ServerSocket(0)) {
-            return port.getLocalPort();
-        }
     }
 
     /** Counts the seconds of open play. */

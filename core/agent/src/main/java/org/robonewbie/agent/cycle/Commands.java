@@ -153,7 +153,7 @@ public final class Commands {
     }
 
     private double clamped(T1Joint joint, double degrees) {
-        double possible = Math.max(joint.minDegrees(), Math.min(joint.maxDegrees(), degrees));
+        double possible = joint.clampDegrees(degrees);
         if (possible != degrees) {
             reportRange(joint, degrees, joint.minDegrees(), joint.maxDegrees());
         }

@@ -3,6 +3,7 @@ package org.robonewbie.agent.league;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.robonewbie.agent.cycle.OwnJoints;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.TorsoMotion;
@@ -112,6 +113,10 @@ final class LeagueMotors implements Locomotion, OwnJoints {
 
     private Optional<SharedJoint> shared(int index) {
         return shared.stream().filter(joint -> joint.index() == index).findFirst();
+    }
+
+    private boolean isHead(int index) {
+        return shared(index).filter(joint -> !joint.isArm()).isPresent();
     }
 
     /** {@return the joints of arms and head, which the program can move} */
@@ -231,8 +236,7 @@ final class LeagueMotors implements Locomotion, OwnJoints {
 
     /** Returns whether a joint follows the program: not on the ground and, but for the head, not while the robot walks. */
     private boolean obeys(T1Joint joint) {
-        boolean isHead =
-                shared(joint.ordinal()).filter(common -> !common.isArm()).isPresent();
+        boolean isHead = isHead(joint.ordinal());
         if (isWalking() && !isHead) {
             diagnostics.reportAt(
                     "",
@@ -306,12 +310,8 @@ final class LeagueMotors implements Locomotion, OwnJoints {
     }
 
     private boolean isJointWanted() {
-        return shared.stream().anyMatch(joint -> joint.isArm() && degreesPerSecond[joint.index()] != 0)
-                || model.joints().stream()
-                        .anyMatch(joint -> !Double.isNaN(ownDegrees[joint.index()])
-                                && shared(joint.index())
-                                        .filter(common -> !common.isArm())
-                                        .isEmpty());
+        return IntStream.range(0, ownDegrees.length)
+                .anyMatch(i -> !isHead(i) && (degreesPerSecond[i] != 0 || !Double.isNaN(ownDegrees[i])));
     }
 
     private void advance(SharedJoint joint, double share) {

@@ -3,7 +3,6 @@ package org.robonewbie.simulator.embedded;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.JoinableSimulator;
@@ -12,14 +11,16 @@ import org.robonewbie.simulator.JoinableSimulator;
 final class LocalProgram implements HostProgram {
 
     private final JoinableSimulator simulator;
-    private final SimulatorRequest request;
+    private final String name;
+    private final String robot;
     private final Console console;
     private final List<AgentLink> robots = new CopyOnWriteArrayList<>();
     private volatile boolean isEnded;
 
-    LocalProgram(JoinableSimulator simulator, SimulatorRequest request, Console console) {
+    LocalProgram(JoinableSimulator simulator, String name, String robot, Console console) {
         this.simulator = simulator;
-        this.request = request;
+        this.name = name;
+        this.robot = robot;
         this.console = console;
     }
 
@@ -31,12 +32,12 @@ final class LocalProgram implements HostProgram {
 
     @Override
     public String name() {
-        return request.agent();
+        return name;
     }
 
     @Override
     public String robot() {
-        return request.robot();
+        return robot;
     }
 
     @Override

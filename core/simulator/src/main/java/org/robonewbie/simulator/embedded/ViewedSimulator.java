@@ -37,7 +37,7 @@ public final class ViewedSimulator implements EmbeddedSimulator {
      */
     public static ViewedSimulator open(JoinableSimulator simulator, SimulatorRequest request, Optional<Viewer> viewer)
             throws IOException {
-        LocalProgram program = new LocalProgram(simulator, request, Console.standard());
+        LocalProgram program = new LocalProgram(simulator, request.agent(), request.robot(), Console.standard());
         if (request.headless() || viewer.isEmpty()) {
             return new ViewedSimulator(simulator, program, Optional.empty());
         }

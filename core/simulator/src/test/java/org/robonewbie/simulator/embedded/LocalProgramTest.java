@@ -3,12 +3,8 @@ package org.robonewbie.simulator.embedded;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.cycle.WorldSettings;
@@ -23,7 +19,7 @@ class LocalProgramTest {
         SimulatorSettings settings =
                 SimulatorSettings.of(WorldSettings.beginner()).withAgentPort(0);
         Simulator simulator = Simulator.start(settings, sentence -> {});
-        LocalProgram program = new LocalProgram(simulator, request(), sentence -> {});
+        LocalProgram program = new LocalProgram(simulator, "MyAgent", "NAO", sentence -> {});
         AgentLink robot = program.connect();
         assertThat(program.isRunning()).isTrue();
 
@@ -36,22 +32,5 @@ class LocalProgramTest {
         assertThat(simulator.report()).isEmpty();
         simulator.close();
         waiting.join();
-    }
-
-    private static SimulatorRequest request() {
-        return new SimulatorRequest(
-                "NAO",
-                0,
-                OptionalLong.empty(),
-                false,
-                OptionalDouble.empty(),
-                true,
-                false,
-                false,
-                Optional.empty(),
-                Optional.empty(),
-                Optional.empty(),
-                1,
-                "MyAgent");
     }
 }

@@ -6,6 +6,7 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.tactics.Plan.Action;
+import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
@@ -52,6 +53,26 @@ public final class Strategy {
     /** {@return the striker's options at its last decision} */
     public List<KickChoice.Option> options() {
         return options;
+    }
+
+    /**
+     * Returns what the player tells its teammates.
+     *
+     * @param told its plan
+     * @return the message
+     */
+    public TeamMessage message(Plan told) {
+        return new TeamMessage(
+                world.number(),
+                world.pose(),
+                world.isFallen(),
+                told.role(),
+                world.ball(),
+                world.ballVelocity(),
+                world.ownBallAgeSeconds(),
+                secondsToBall(),
+                told.receiver(),
+                told.target());
     }
 
     /** Updates the plan. */

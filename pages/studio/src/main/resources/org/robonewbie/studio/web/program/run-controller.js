@@ -186,9 +186,10 @@ export class RunController {
     const { file, list } = this.room.files;
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
-    this.world.hidden = !this.room.surroundings.hasClock();
+    const hasClock = this.room.surroundings.hasClock();
+    this.world.hidden = !hasClock;
     this.stopButton.hidden = !isRunning;
-    this.restartButton.hidden = this.stepButton.hidden = !isRunning || this.world.hidden;
+    this.restartButton.hidden = this.stepButton.hidden = !isRunning || !hasClock;
     const { status } = this.room.exercises;
     const isTrouble = status === '' && this.now.state === 'ENDED' && this.now.exitCode !== 0;
     this.#showState(
