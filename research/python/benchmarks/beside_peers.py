@@ -103,8 +103,8 @@ def humanoid(steps=2000):
 
 
 def robots(task, sway, steps=250, warm_up=2000):
-    """Returns the time per robot for a step of 64 robots through Python; ``sway`` is the largest action."""
-    env = gymnasium.make_vec(f"RoboNewbie/{task}-v1", num_envs=ROBOTS)
+    """Returns the time per robot for a cycle of 64 robots through Python; ``sway`` is the largest action, as a share of its bound."""
+    env = gymnasium.make_vec(f"RoboNewbie/{task}-v1", num_envs=ROBOTS, cycles=1)
     env.reset(seed=1)
     random = np.random.default_rng(1)
     process = simulator._process.process.pid
@@ -112,7 +112,7 @@ def robots(task, sway, steps=250, warm_up=2000):
 
     def act(count):
         for _ in range(count):
-            env.step(random.uniform(-sway, sway, env.action_space.shape).astype(np.float32))
+            env.step((env.action_space.high * random.uniform(-sway, sway, env.action_space.shape)).astype(np.float32))
 
     act(warm_up)
     before = spent(java)
