@@ -216,17 +216,16 @@ class User {
     await editor.evaluate(paste, text);
   }
 
-  /** Saves a file in the web edition without showing it, such as `programs/own/MyAgent.java` or `motions/bow`. */
-  async stores(path, text) {
+  /** Saves a file without showing it, such as `MyAgent.java` of the kind `program`. */
+  async stores(kind, path, text) {
     await this.page.evaluate(
-      async (place, body) => {
-        const version = (await fetch(place)).headers.get('Version') ?? '';
-        const { ok, status } = await fetch(place, { method: 'PUT', headers: { 'Known-Version': version }, body });
-        if (!ok) {
-          throw new Error(`status ${status}`);
-        }
+      async (file, content) => {
+        const { ServerFiles } = await import('./live/server-files.js');
+        const files = new ServerFiles(file.kind);
+        const known = (await files.list()).files.find((each) => each.path === file.path);
+        await files.write(file.path, content, known?.version ?? '');
       },
-      `api/${path}`,
+      { kind, path },
       text,
     );
   }

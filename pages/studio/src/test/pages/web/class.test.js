@@ -68,10 +68,10 @@ slow('a pupil sees the chosen exercises and is told what is missing to send them
 slow('a pupil sends a link with the program and all that it uses', async (t) => {
   const { user, server } = await openWebEdition(t, { to: ASSIGNMENT });
   const program = `${solution(FILE)}\n// Helper.of("bow") grüßt\n`;
-  await user.stores(`programs/own/${FILE}`, program);
-  await user.stores('programs/own/Other.java', 'public class Helper {}');
-  await user.stores('programs/own/Unused.java', 'public class Unused {}');
-  await user.stores('motions/bow', 'motion\n');
+  await user.stores('program', `${FILE}`, program);
+  await user.stores('program', 'Other.java', 'public class Helper {}');
+  await user.stores('program', 'Unused.java', 'public class Unused {}');
+  await user.stores('motion', 'bow', 'motion\n');
 
   await sends(user, '../Anna');
   await user.sees('The name "../Anna" contains "/". Choose another name.');
@@ -92,7 +92,7 @@ slow('a pupil sends a link with the program and all that it uses', async (t) => 
 slow('a long submission is a file', async (t) => {
   const { user } = await openWebEdition(t, { to: ASSIGNMENT });
   const program = GOOD + Array.from({ length: 900 }, (_, i) => `// ${i * 7919}\n`).join('');
-  await user.stores(`programs/own/${FILE}`, program);
+  await user.stores('program', `${FILE}`, program);
 
   const { name, bytes } = await user.downloads(() => sends(user, 'Zoë'));
 

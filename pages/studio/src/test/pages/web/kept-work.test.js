@@ -170,7 +170,7 @@ quickInBoth('a full storage is reported and the text stays until it can be saved
 
 quick('unsaved work of another window is neither replaced nor removed', async (t) => {
   const { user, visit } = await openProgram(t);
-  await user.stores('programs/draft/MyAgent.java', '// of the other window');
+  await user.stores('program-draft', 'MyAgent.java', '// of the other window');
 
   await user.writes('// of this window');
 
@@ -201,7 +201,7 @@ quick('editions on one host have separate storages and take over old data', asyn
   for (const edition of editions) {
     await user.visits(`${address}${edition}/#program`);
     await user.page.evaluate(async () => void (await navigator.serviceWorker.ready));
-    await user.stores(`programs/own/Only${edition}.java`, '//');
+    await user.stores('program', `Only${edition}.java`, '//');
   }
 
   await user.reads('combobox', 'Program', 'Only2026.java');

@@ -28,7 +28,7 @@ quick('a robot with weight plays a motion of the library without falling', async
 
 quick('an own motion and its unsaved changes are there again after a visit', async (t) => {
   const { user, visit } = await openWebEdition(t);
-  await user.stores('motions/mine', turnNeckTo(12.5));
+  await user.stores('motion', 'mine', turnNeckTo(12.5));
   await visit('#motion/mine');
   await user.readsValue('textbox', 'neck pitch in degrees', '0');
 
@@ -44,7 +44,7 @@ quick('an own motion and its unsaved changes are there again after a visit', asy
 
 quick('a motion of a T1 is shown with its joints', async (t) => {
   const { user, visit } = await openWebEdition(t);
-  await user.stores('motions/mine', `// robot: T1\n500 12.5${' 0'.repeat(22)}\n`);
+  await user.stores('motion', 'mine', `// robot: T1\n500 12.5${' 0'.repeat(22)}\n`);
 
   await visit('#motion/mine');
 
@@ -53,12 +53,12 @@ quick('a motion of a T1 is shown with its joints', async (t) => {
 
 quick('a program starts a motion that was made in the page, and then its new version', async (t) => {
   const { user } = await openWebEdition(t, { to: '#program' });
-  await user.stores('motions/mine', turnNeckTo(12.5));
+  await user.stores('motion', 'mine', turnNeckTo(12.5));
 
   await user.writes(PLAYER);
   await user.clicks('button', '▶ Run');
 
   await user.reads('list', 'Log of the robot', 'neck 12.5');
-  await user.stores('motions/mine', turnNeckTo(-9.5));
+  await user.stores('motion', 'mine', turnNeckTo(-9.5));
   await user.reads('list', 'Log of the robot', 'neck -9.5');
 });

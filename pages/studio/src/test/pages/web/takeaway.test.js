@@ -49,7 +49,7 @@ quick('the downloaded project compiles and runs', async (t) => {
     t.skip('The web edition was built without the project.');
     return;
   }
-  await user.stores('programs/own/Second.java', GREETER);
+  await user.stores('program', 'Second.java', GREETER);
   await user.clicks('button', 'Save');
 
   const { name, bytes } = await user.downloads(() => user.clicks('button', 'Download'));

@@ -8,8 +8,9 @@ import { addAssignment, takeAssignment } from './class-assignment.js';
 import { CourseServer } from './course-server.js';
 import { showBrowserAdvice } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
+import { FileServer } from './file-server.js';
 import { HistoryStore } from './history-store.js';
-import { MotionServer } from './motion-server.js';
+import { motionParts } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
 import { PageRecordings } from './page-recordings.js';
 import { ProgramServer } from './program-server.js';
@@ -17,7 +18,7 @@ import { ProgramRepository } from './program-repository.js';
 import { addExportButtons } from './program-takeaway.js';
 import { RecordingStore } from './recording-store.js';
 import { addRecordingTools } from './recording-tools.js';
-import { ReplayServer } from './replay-server.js';
+import { replayParts } from './replay-server.js';
 import { SceneServer } from './scene-server.js';
 import { NO_ROOM, storage } from './page-storage.js';
 import { isShared, sharedProgram } from './share.js';
@@ -61,20 +62,21 @@ async function begin(worker) {
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
   const compiler = new PageCompiler(() => worker.prepare());
-  const programs = new ProgramServer(compiler, worker, repository, choice, new HistoryStore());
+  const programs = new ProgramServer(compiler, worker, repository, choice);
+  const files = new FileServer(repository, new HistoryStore());
   const questions = new WorldQuestions(worker);
   const course = new CourseServer(questions, repository, programs);
-  const motions = new MotionServer(questions);
-  worker.ownMotions = () => motions.own;
-  motions.changed = () => worker.postMessage({ motions: motions.own });
+  worker.ownMotions = () => files.motions;
+  files.changed = () => worker.postMessage({ motions: files.motions });
   const recordings = new PageRecordings(new RecordingStore(), questions);
   const scenes = new SceneServer(questions, recordings);
   answerInsteadOfServer({
-    programs,
-    course,
-    ...motions.parts,
+    ...files.parts,
+    ...programs.parts,
+    ...course.parts,
+    ...motionParts(questions),
     ...scenes.parts,
-    ...new ReplayServer(recordings, questions).parts,
+    ...replayParts(recordings, questions),
   });
   const studio = new Studio(
     options,

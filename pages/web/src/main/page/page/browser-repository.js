@@ -15,6 +15,9 @@ export function asText(bytes) {
 /** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
 export const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 
+/** @param {{body?: BodyInit | null}} message request or answer @returns {Promise<Uint8Array<ArrayBuffer>>} its content */
+export const bytesOf = async ({ body }) => new Uint8Array(await new Response(body).arrayBuffer());
+
 /** @param {string} text @returns {string} hash of the text */
 export function versionOf(text) {
   let hash = 5381;
@@ -69,12 +72,12 @@ export class BrowserRepository {
    *
    * @param {string} path
    * @param {string} text
-   * @param {string} known version read by the writer
+   * @param {string | null} known version read by the writer; null to replace any
    * @returns {Response} the new version, or a refusal
    */
   overwrite(path, text, known) {
     const there = this.read(path);
-    if (there !== null && there !== text && versionOf(there) !== known) {
+    if (known !== null && there !== null && there !== text && versionOf(there) !== known) {
       const refusal = `${path} was changed in another window. Reload it, or save it under another name.`;
       return new Response(refusal, { status: 409 });
     }
@@ -82,9 +85,9 @@ export class BrowserRepository {
     return new Response('', { headers: { Version: versionOf(text) } });
   }
 
-  /** @param {string} path @param {string} [known] version to remove; any other is kept */
-  remove(path, known) {
-    if (known !== undefined && versionOf(this.read(path) ?? '') !== known) {
+  /** @param {string} path @param {string | null} [known] version to remove; any other is kept */
+  remove(path, known = null) {
+    if (known !== null && versionOf(this.read(path) ?? '') !== known) {
       return;
     }
     this.open().remove(this.prefix + path);

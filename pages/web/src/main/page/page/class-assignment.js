@@ -1,7 +1,9 @@
 /** Assignment as shown to pupils: the exercises selected by a teacher's link, and a button that packs the solutions for the teacher. */
-import { ask } from '../live/server.js';
+import { answer } from '../live/server.js';
+import { ServerFiles } from '../live/server-files.js';
 import { button, byId, element, offer, setText } from '../panels/elements.js';
 import { assignmentOf, isClassLink } from '../state/class-link.js';
+import { decodeText } from '../state/decoded-text.js';
 import { ClassWorker } from './class-worker.js';
 import { storage } from './page-storage.js';
 import { publicClass, withReferences } from './project.js';
@@ -32,20 +34,20 @@ export function takeAssignment() {
   }
 }
 
-/** @param {string} path path below `api/` @returns {Promise<any>} */
-const json = async (path) => (await ask(path)).json();
+const PROGRAMS = new ServerFiles('program');
+const DRAFTS = new ServerFiles('program-draft');
+const MOTIONS = new ServerFiles('motion');
 
-/** @param {string} kind @param {string} name @returns {Promise<string>} */
-const text = async (kind, name) => (await ask(`${kind}/${encodeURIComponent(name)}`)).text();
+/** @param {ServerFiles} files @param {string} path @returns {Promise<string>} */
+const text = async (files, path) => decodeText((await files.read(path)).bytes).content;
 
 /** @returns {Promise<{programs: Map<string, string>, drafts: Set<string>}>} saved programs by path, and paths of unsaved changes */
 async function ownPrograms() {
-  const { own, drafts } = await json('programs');
   const programs = new Map();
-  for (const { path } of own) {
-    programs.set(path, await text('programs/own', path));
+  for (const { path } of (await PROGRAMS.list()).files) {
+    programs.set(path, await text(PROGRAMS, path));
   }
-  return { programs, drafts: new Set(drafts.map((/** @type {{path: string}} */ { path }) => path)) };
+  return { programs, drafts: new Set((await DRAFTS.list()).files.map(({ path }) => path)) };
 }
 
 /**
@@ -59,9 +61,9 @@ async function filesOf(programs, files) {
     found.set(files.includes(path) ? path : `${publicClass(content, path)}.java`, content);
   }
   const words = [...found.values()].join('\n');
-  for (const { name } of (await json('motions')).own) {
-    if (words.includes(`"${name}"`)) {
-      found.set(`motions/${name}.txt`, await text('motions', name));
+  for (const { path } of (await MOTIONS.list()).files) {
+    if (words.includes(`"${path}"`)) {
+      found.set(`motions/${path}.txt`, await text(MOTIONS, path));
     }
   }
   return Object.fromEntries(found);
@@ -110,7 +112,7 @@ class AssignmentPanel {
   }
 
   async #solutions() {
-    const { lessons } = await json('course');
+    const { lessons } = await answer('GET course');
     const files = new Map(lessons.map((/** @type {{name: string, file: string}} */ { name, file }) => [name, file]));
     const { programs, drafts } = await ownPrograms();
     return this.#assignment.exercises.map((name) => {

@@ -2,6 +2,7 @@
  * Local replacement for the course server: forwards requests to the course service in the world's worker, and stores its data in this
  * browser.
  */
+import { answer } from '../live/server.js';
 import { isAnswer, requestOf, responseOf } from './page-server.js';
 import { storage } from './page-storage.js';
 
@@ -51,12 +52,30 @@ export class CourseServer {
     }
   }
 
-  /** @param {string} place path after `course` @param {RequestInit} options @returns {Promise<Response>} */
-  async answer(place, options) {
-    const asked = requestOf(place, options);
-    const { path, parameters } = asked;
+  /** Request handlers. */
+  get parts() {
+    /** @type {import('./page-server.js').Part} */
+    const served = (values, _, request) => this.#answer(requestOf(request, values));
+    return {
+      'GET course': served,
+      'POST course/language': served,
+      'GET course/attempt': served,
+      'DELETE course/attempt': served,
+      'PUT course/NAME': served,
+      'POST course/NAME': served,
+      'GET course/NAME/help': served,
+      'POST course/NAME/hint': served,
+      'POST course/NAME/solution': served,
+    };
+  }
+
+  /** @param {import('./page-server.js').ServiceRequest} asked @returns {Promise<Response>} */
+  async #answer(asked) {
+    const { parameters } = asked;
+    const path = asked.path.slice(1);
     const request = JSON.stringify({
       ...asked,
+      path,
       language: storage().get(LANGUAGE) ?? 'en',
       progress: this.#progress,
       programs: this.#repository.own.map((each) => each.path),
@@ -103,7 +122,7 @@ export class CourseServer {
    * @returns {Promise<Record<string, string>>} text by file name
    */
   async #solutions(exercise) {
-    const { lessons } = await (await this.answer('', {})).json();
+    const { lessons } = await answer('GET course');
     const { file = '' } = lessons.find((/** @type {{name: string}} */ { name }) => name === exercise) ?? {};
     const program = await solution(file);
     return {

@@ -9,10 +9,10 @@ export class HistoryStore {
     () => undefined,
   );
 
-  /** @param {string} path @returns {Promise<string>} the history of a program, a JSON array */
+  /** @param {string} path @returns {Promise<string>} the history of a program, empty if there is none */
   async read(path) {
     const texts = (await this.#database)?.transaction(TEXTS).objectStore(TEXTS);
-    return (texts && (await result(texts.get(path)))) ?? '[]';
+    return (texts && (await result(texts.get(path)))) ?? '';
   }
 
   /** @param {string} path @param {string} text */

@@ -1,32 +1,28 @@
-/** Handles the studio's requests for files, scenes and exercises locally, because this page has no server. */
-
-const NOT_HERE = 'This is not available on this page. Use RoboNewbie on your computer.';
+/** Answers the studio's requests in this page, because it has no server. */
+import { answerBy, parametersOf, segmentsOf } from '../live/server.js';
 
 /**
- * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler for one part of the API
- * @param {Record<string, Part>} parts handlers by the first segment of their path
+ * @typedef {import('../live/server.js').Values} Values
+ * @typedef {import('../live/page-request.js').PageRequest} PageRequest
+ * @typedef {(values: Record<string, any>, options: RequestInit, request: PageRequest) => Response | Promise<Response>} Part answers a request
+ * @typedef {{method: string, path: string[], parameters: Record<string, string>}} ServiceRequest request to a service of the program
  */
+
+/** @param {Record<PageRequest, Part>} parts */
 export function answerInsteadOfServer(parts) {
-  const network = window.fetch.bind(window);
-  window.fetch = async (place, options) =>
-    typeof place === 'string' && place.startsWith('api/')
-      ? answer(place.slice('api/'.length), options ?? {}, parts)
-      : network(place, options);
+  answerBy(async (request, values, options) => {
+    try {
+      return await parts[request](values, options, request);
+    } catch (failure) {
+      return new Response(/** @type {Error} */ (failure).message, { status: 400 });
+    }
+  });
 }
 
-/**
- * @typedef {{method: string, path: string[], parameters: Record<string, string>}} ServiceRequest request to a service of the program
- * @param {string} place
- * @param {RequestInit} options
- * @returns {ServiceRequest}
- */
-export function requestOf(place, { method = 'GET' }) {
-  const [path, search] = place.split('?');
-  return {
-    method,
-    path: path.split('/').filter(Boolean).map(decodeURIComponent),
-    parameters: Object.fromEntries(new URLSearchParams(search)),
-  };
+/** @param {PageRequest} request @param {Values} values @returns {ServiceRequest} */
+export function requestOf(request, values) {
+  const [method] = request.split(' ');
+  return { method, path: segmentsOf(request, values), parameters: parametersOf(values) };
 }
 
 /** @param {string} result JSON, or why a service rejected the request */
@@ -38,22 +34,4 @@ export function responseOf(result) {
     throw new Error(result);
   }
   return new Response(result);
-}
-
-/**
- * @param {string} place
- * @param {RequestInit} options
- * @param {Record<string, Part>} parts
- */
-async function answer(place, options, parts) {
-  const [word] = place.split(/[/?]/);
-  const part = parts[word];
-  if (part) {
-    try {
-      return await part.answer(place.slice(word.length), options);
-    } catch (failure) {
-      return new Response(/** @type {Error} */ (failure).message, { status: 400 });
-    }
-  }
-  return new Response(NOT_HERE, { status: 404 });
 }

@@ -94,7 +94,7 @@ export class ProgramRepository {
     return this.#drafts.read(path) === null && this.#own.add(path, text);
   }
 
-  /** @param {string} path @param {string} text @param {string} known version of the draft read by the writer @returns {Response} */
+  /** @param {string} path @param {string} text @param {string | null} known version of the draft read by the writer @returns {Response} */
   writeDraft(path, text, known) {
     return this.#drafts.overwrite(path, text, known);
   }
@@ -120,7 +120,7 @@ export class ProgramRepository {
     return name;
   }
 
-  /** @param {string} path @param {string} [known] version to remove; any other is kept */
+  /** @param {string} path @param {string | null} [known] version to remove; any other is kept */
   removeDraft(path, known) {
     this.#drafts.remove(path, known);
     if (this.#drafts.read(path) === null) {

@@ -1,7 +1,7 @@
 /** Local replacement for the program server: the user's files, the compiler of the page, and the running program. */
 import { decodeText } from '../state/decoded-text.js';
-import { isProgramPath } from '../state/program/documents.js';
-import { versionOf } from './browser-repository.js';
+import { bytesOf } from './browser-repository.js';
+import { exampleAt } from './file-server.js';
 import { insteadOfMissing } from './missing-classes.js';
 import { publicClass } from './project.js';
 
@@ -9,20 +9,11 @@ import { publicClass } from './project.js';
 
 const SEED = 1;
 
-const EXAMPLES = [
-  'Agent_Wave',
-  'Agent_BasicStructure',
-  'Agent_Dance',
-  'Agent_SmoothDance',
-  'Agent_SimpleWalkToBall',
-  'Agent_SimpleSoccer',
-  'Agent_Reactive',
-  'Agent_OwnWorldModel',
-  'Agent_BetterSoccer',
-];
-
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
+
+/** @param {RequestInit} options @returns {Promise<string>} the text in the body of a request */
+const textOf = async (options) => decodeText(await bytesOf(options)).content;
 
 /** @param {Response} answer @param {string} name @returns {Promise<Response>} an example as the user's program */
 async function renamed(answer, name) {
@@ -44,11 +35,9 @@ export class ProgramServer {
    * @param {import('./world-process.js').World} world
    * @param {ProgramRepository} repository
    * @param {{others: string[]}} agents example agents that play alongside a program
-   * @param {import('./history-store.js').HistoryStore} histories
    */
-  constructor(compiler, world, repository, agents, histories) {
+  constructor(compiler, world, repository, agents) {
     this.#repository = repository;
-    this.histories = histories;
     this.agents = agents;
     this.compiler = compiler;
     this.world = world;
@@ -72,62 +61,25 @@ export class ProgramServer {
     this.#run = { ...this.#run, state: this.#run.state === 'RUNNING' ? 'STOPPED' : this.#run.state };
   }
 
-  /** @param {string} place path after `programs` @param {RequestInit} options @returns {Promise<Response>} */
-  async answer(place, options) {
-    const [path, search = ''] = place.split('?');
-    const [, kind = '', ...rest] = path.split('/');
-    const name = rest.map(decodeURIComponent).join('/');
-    const wish = new URLSearchParams(search);
-    const body = decodeText(new Uint8Array(await new Response(options.body).arrayBuffer())).content;
-    const known = new Headers(options.headers).get('Known-Version') ?? '';
-    if (['own', 'draft', 'history'].includes(kind) && !isProgramPath(name)) {
-      const refusal = `"${name}" is not a valid program name. Use letters, digits and _, such as MyAgent.java.`;
-      return new Response(refusal, { status: 400 });
-    }
-    switch (`${options.method ?? 'GET'} ${kind}`) {
-      case 'GET ':
-        return Response.json({
-          open: true,
-          folder: 'this browser',
-          own: this.#repository.own,
-          drafts: this.#repository.drafts,
-          shared: this.#repository.shared,
-          examples: EXAMPLES,
-        });
-      case 'GET own':
-      case 'GET draft':
-        return file(this.#repository.read(kind === 'own' ? 'own' : 'draft', name), name);
-      case 'GET example':
-        return template(name);
-      case 'GET new':
-        return renamed(await template(wish.get('example')), className(name));
-      case 'GET history':
-        return new Response(await this.histories.read(name));
-      case 'PUT history':
-        await this.histories.write(name, body);
-        return new Response('');
-      case 'PUT own':
-        return this.#repository.overwrite(name, body, known);
-      case 'PUT draft':
-        return this.#repository.writeDraft(name, body, known);
-      case 'DELETE draft':
-        this.#repository.removeDraft(name, known);
-        return new Response('');
-      case 'POST check':
-        return Response.json((await this.#compile(name, body)).remarks);
-      case 'POST complete':
-        return Response.json(await this.compiler.complete(this.#sources(name, body), Number(wish.get('at'))));
-      case 'POST run':
-        return Response.json(await this.#start(name, wish.get('world') === 'keep'));
-      case 'GET run':
-        return Response.json(this.#run);
-      case 'DELETE run':
-        this.world.postMessage({ stopProgram: true });
-        this.#run = { ...this.#run, state: 'STOPPED' };
-        return Response.json(this.#run);
-      default:
-        return new Response('Unknown request. Reload the page.', { status: 404 });
-    }
+  /** Request handlers. */
+  get parts() {
+    return /** @satisfies {Record<string, import('./page-server.js').Part>} */ ({
+      'GET programs': () => Response.json({ open: true, shared: this.#repository.shared }),
+      'GET programs/new/PATH': async ({ PATH, example }) => renamed(await template(example), className(PATH)),
+      'POST programs/check/PATH': async ({ PATH }, options) =>
+        Response.json((await this.#compile(PATH, await textOf(options))).remarks),
+      'POST programs/complete/PATH': async ({ PATH, at }, options) =>
+        Response.json(await this.compiler.complete(this.#sources(PATH, await textOf(options)), at)),
+      'POST programs/run/PATH': async ({ PATH, world }) => Response.json(await this.#start(PATH, world === 'keep')),
+      'GET programs/run': () => Response.json(this.#run),
+      'DELETE programs/run': () => this.#stop(),
+    });
+  }
+
+  #stop() {
+    this.world.postMessage({ stopProgram: true });
+    this.#run = { ...this.#run, state: 'STOPPED' };
+    return Response.json(this.#run);
   }
 
   /** @param {string} path path of a saved program @returns {Promise<Int8Array[]>} its classes */
@@ -176,13 +128,6 @@ export class ProgramServer {
 
 /** @param {string | null} name name of an example; null or empty for a minimal program @returns {Promise<Response>} its source */
 async function template(name) {
-  const answer = await fetch(`examples/${name ? `${name}.java` : 'NewProgram.java.txt'}`);
+  const answer = await fetch(name ? exampleAt(name) : 'examples/NewProgram.java.txt');
   return answer.ok ? answer : new Response(`There is no program "${name}".`, { status: 404 });
-}
-
-/** @param {string | null} text @param {string} name */
-function file(text, name) {
-  return text === null
-    ? new Response(`There is no program "${name}" in this browser.`, { status: 404 })
-    : new Response(text, { headers: { Version: versionOf(text) } });
 }

@@ -5,39 +5,31 @@
 import { requestOf, responseOf } from './page-server.js';
 import { simSparkLog } from './recording-log.js';
 
-export class ReplayServer {
-  /** @param {import('./page-recordings.js').PageRecordings} recordings @param {import('./world-questions.js').WorldQuestions} questions */
-  constructor(recordings, questions) {
-    this.recordings = recordings;
-    this.questions = questions;
-  }
-
-  /** Request handlers by the first segment of their path. */
-  get parts() {
-    const { recordings } = this;
-    return {
-      ...Object.fromEntries(
-        ['recordings', 'cards', 'index', 'stars', 'bookmarks'].map((kind) => [kind, this.#served(kind)]),
-      ),
-      pieces: content(async (name, skip) => (await recordings.open(name)).slice(skip)),
-      log: content(async (name) => simSparkLog(await recordings.file(name))),
-      notes: content(async (name, skip) => new TextEncoder().encode((await recordings.open(name)).notes).slice(skip)),
-      models: { answer: async () => responseOf(await this.questions.ask('models')) },
-    };
-  }
-
-  /** @param {string} kind @returns {import('./page-server.js').Part} */
-  #served(kind) {
-    return {
-      answer: async (place, options) => responseOf(await this.recordings.answer(requestOf(kind + place, options))),
-    };
-  }
+/**
+ * @param {import('./page-recordings.js').PageRecordings} recordings
+ * @param {import('./world-questions.js').WorldQuestions} questions
+ */
+export function replayParts(recordings, questions) {
+  /** @type {import('./page-server.js').Part} */
+  const served = async (values, _, request) => responseOf(await recordings.answer(requestOf(request, values)));
+  return {
+    'GET recordings': served,
+    'PUT recordings/NAME': served,
+    'DELETE recordings/NAME': served,
+    'GET cards/NAME': served,
+    'GET index/NAME': served,
+    'PUT stars/NAME': served,
+    'DELETE stars/NAME': served,
+    'PUT bookmarks/NAME': served,
+    'DELETE bookmarks/NAME': served,
+    'GET pieces/NAME': content(async ({ NAME, skip }) => (await recordings.open(NAME)).slice(skip)),
+    'GET log/NAME': content(async ({ NAME }) => simSparkLog(await recordings.file(NAME))),
+    'GET notes/NAME': content(async ({ NAME, skip }) =>
+      new TextEncoder().encode((await recordings.open(NAME)).notes).slice(skip),
+    ),
+    'GET models': async () => responseOf(await questions.ask('models')),
+  };
 }
 
-/** @param {(name: string, skip: number) => Promise<BodyInit>} load @returns {import('./page-server.js').Part} */
-const content = (load) => ({
-  answer: async (place, options) => {
-    const { path, parameters } = requestOf(place, options);
-    return new Response(await load(path.join('/'), Number(parameters.skip ?? 0)));
-  },
-});
+/** @param {(values: Record<string, any>) => Promise<BodyInit>} load @returns {import('./page-server.js').Part} */
+const content = (load) => async (values) => new Response(await load(values));

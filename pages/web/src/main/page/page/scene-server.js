@@ -20,12 +20,17 @@ export class SceneServer {
     this.recordings = recordings;
   }
 
-  /** Request handlers by the first segment of their path. @returns {Record<string, import('./page-server.js').Part>} */
+  /** Request handlers. */
   get parts() {
-    return {
-      scenes: { answer: (place, options) => this.#answer(requestOf(place, options)) },
-      start: { answer: (place, options) => this.#start(requestOf(place, options)) },
-    };
+    /** @type {import('./page-server.js').Part} */
+    const served = (values, _, request) => this.#answer(requestOf(request, values));
+    return /** @satisfies {Record<string, import('./page-server.js').Part>} */ ({
+      'GET scenes': served,
+      'PUT scenes/NAME': served,
+      'POST scenes/NAME': served,
+      'DELETE scenes/NAME': served,
+      'POST start/NAME': ({ NAME, moment }) => this.#start(NAME, moment),
+    });
   }
 
   /**
@@ -48,11 +53,12 @@ export class SceneServer {
 
   /** @param {import('./page-server.js').ServiceRequest} request */
   async #answer(request) {
-    const needed = [...request.path, request.parameters.was];
+    const path = request.path.slice(1);
+    const needed = [...path, request.parameters.was];
     const scenes = Object.fromEntries(
       this.#repository.list.map(({ path }) => [path, (needed.includes(path) && this.#repository.read(path)) || '']),
     );
-    const result = await this.questions.ask('answer', 'scenes', JSON.stringify({ ...request, scenes }));
+    const result = await this.questions.ask('answer', 'scenes', JSON.stringify({ ...request, path, scenes }));
     if (this.#isFull) {
       this.#isFull = false;
       throw new Error(NO_ROOM);
@@ -60,10 +66,10 @@ export class SceneServer {
     return responseOf(result);
   }
 
-  /** @param {import('./page-server.js').ServiceRequest} request */
-  async #start({ path, parameters }) {
-    const recording = await this.recordings.open(path.join('/'));
+  /** @param {string} name @param {number} moment */
+  async #start(name, moment) {
+    const recording = await this.recordings.open(name);
     const bytes = new Int8Array(recording.slice().buffer);
-    return responseOf(await this.questions.ask('startFrom', bytes, Number(parameters.moment)));
+    return responseOf(await this.questions.ask('startFrom', bytes, moment));
   }
 }

@@ -101,7 +101,7 @@ class FullDiskTest {
 
     @Test
     void studioNamesItsFileAndTheFormerOneStays() throws Exception {
-        List<String> places = List.of("programs/own/Mine.java", "motions/mine", "scenes/mine");
+        List<String> places = List.of("files/program/Mine.java", "files/motion/mine", "scenes/mine");
         try (StudioProcess studio = StudioProcess.start(place)) {
             for (String each : places) {
                 assertThat(studio.ask("PUT", each, "// first", "Replace: yes")).startsWith("HTTP/1.1 200");

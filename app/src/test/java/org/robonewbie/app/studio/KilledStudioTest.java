@@ -25,7 +25,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 @Timeout(60)
 class KilledStudioTest {
 
-    private static final List<String> PLACES = List.of("programs/own/Mine.java", "motions/mine", "scenes/mine");
+    private static final List<String> PLACES = List.of("files/program/Mine.java", "files/motion/mine", "scenes/mine");
 
     private static final int LINES = 20_000;
 
@@ -84,7 +84,7 @@ class KilledStudioTest {
         assertThat(counts.get(2).get()).isPositive();
         checkScene(folder.resolve("scenes/mine.rec"));
         try (StudioProcess again = StudioProcess.start(folder)) {
-            for (String list : List.of("programs", "motions", "scenes")) {
+            for (String list : List.of("files/program", "files/motion", "scenes")) {
                 assertThat(again.ask("GET", list, ""))
                         .containsIgnoringCase("mine")
                         .doesNotContain(".part");

@@ -1,17 +1,17 @@
 package org.robonewbie.studio;
 
 import java.io.IOException;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import org.eclipse.jetty.server.Request;
 import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.ApiHandler;
-import org.robonewbie.studio.file.PathPart;
+import org.robonewbie.studio.service.PageRequest;
 import org.robonewbie.studio.service.PageService;
 
 /** HTTP endpoint {@code /api/course} for the exercises. */
 final class CourseApi extends ApiHandler {
-
-    private static final String COURSE = "/api/course";
 
     private final Optional<PageService> course;
 
@@ -21,22 +21,20 @@ final class CourseApi extends ApiHandler {
      * @param course handles the requests; empty for a studio without exercises
      */
     CourseApi(Optional<PageService> course) {
+        super(EnumSet.range(PageRequest.COURSE, PageRequest.SOLUTION));
         this.course = course;
     }
 
     @Override
-    protected Optional<Answer> answer(Request request, String path) throws IOException {
-        if (!path.startsWith(COURSE)) {
-            return Optional.empty();
-        }
-        return Optional.of(Answer.json(
+    protected Answer answer(PageRequest asked, List<String> path, Request request) throws IOException {
+        return Answer.json(
                 course.isPresent()
                         ? course.get()
                                 .answer(
                                         request.getMethod(),
-                                        PathPart.decodeAll(path.substring(COURSE.length())),
+                                        path.subList(1, path.size()),
                                         name -> parameter(request, name))
-                        : "{\"lessons\":[]}"));
+                        : "{\"lessons\":[]}");
     }
 
     @Override

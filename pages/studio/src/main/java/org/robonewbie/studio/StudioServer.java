@@ -5,6 +5,8 @@ import java.net.InetAddress;
 import java.net.URI;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.logging.Level;
@@ -23,6 +25,8 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.BoardReader;
 import org.robonewbie.studio.board.EventBus;
+import org.robonewbie.studio.file.FileApi;
+import org.robonewbie.studio.file.PageFiles;
 import org.robonewbie.studio.motion.MotionApi;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.ProgramApi;
@@ -206,7 +210,10 @@ public final class StudioServer implements Viewer.View {
                 SceneDescriptionWriter.allModels());
         SceneApi sceneRoom =
                 new SceneApi(folders.scenes(), feed.undoManager(), feed.undoManager()::done, replayRoom::recording);
-        return new Handler.Sequence(course, programs, sceneRoom, replayRoom, motionRoom, files);
+        Map<String, PageFiles> kinds = new HashMap<>(motionRoom.files());
+        kinds.putAll(programs.files());
+        FileApi fileApi = new FileApi(kinds);
+        return new Handler.Sequence(course, programs, sceneRoom, replayRoom, fileApi, motionRoom, files);
     }
 
     private static void openPort(ServerConnector connector, int port) throws IOException {

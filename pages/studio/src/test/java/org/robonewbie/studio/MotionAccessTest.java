@@ -69,12 +69,12 @@ class MotionAccessTest {
 
     @Test
     void fileIsWrittenAndReadBack() throws IOException {
-        String answer = asPage("PUT /api/motions/my%20kick", "// hello\n");
+        String answer = asPage("PUT /api/files/motion/my%20kick", "// hello\n");
 
         assertThat(answer).startsWith("HTTP/1.1 200");
         assertThat(folder.resolve("my kick.txt")).hasContent("// hello\n");
-        assertThat(asPage("GET /api/motions/my%20kick", "")).endsWith("// hello\n");
-        assertThat(asPage("GET /api/motions", "")).contains("\"name\":\"my kick\"");
+        assertThat(asPage("GET /api/files/motion/my%20kick", "")).endsWith("// hello\n");
+        assertThat(asPage("GET /api/files/motion", "")).contains("\"path\":\"my kick\"");
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).hasSize(1);
         }
@@ -98,7 +98,7 @@ class MotionAccessTest {
                 "..%252fsecret"
             })
     void namesThatLeadElsewhereAreRefused(String name) throws IOException {
-        for (String repository : List.of("motions", "drafts", "library")) {
+        for (String repository : List.of("motion", "motion-draft", "motion-library")) {
             assertThat(asPage("GET /api/" + repository + "/" + name, ""))
                     .containsPattern("^HTTP/1.1 40[0-9]")
                     .doesNotContain("\r\n\r\nsecret");
@@ -114,11 +114,12 @@ class MotionAccessTest {
     void linkOutOfTheFolderIsRefused() throws IOException {
         Files.createSymbolicLink(folder.resolve("link.txt"), place.resolve("secret.txt"));
 
-        assertThat(asPage("GET /api/motions/link", ""))
+        assertThat(asPage("GET /api/files/motion/link", ""))
                 .startsWith("HTTP/1.1 403")
                 .contains("outside");
-        assertThat(asPage("PUT /api/motions/link", "evil")).startsWith("HTTP/1.1 403");
-        assertThat(asPage("GET /api/motions", "")).contains("\"own\":[]", "\"link\\\" is a link to a place outside");
+        assertThat(asPage("PUT /api/files/motion/link", "evil")).startsWith("HTTP/1.1 403");
+        assertThat(asPage("GET /api/files/motion", ""))
+                .contains("\"files\":[]", "\"link\\\" is a link to a place outside");
         assertThat(place.resolve("secret.txt")).hasContent("secret");
     }
 
@@ -145,10 +146,10 @@ class MotionAccessTest {
     void motionMayBeCalledInAnyLanguage(String name) throws IOException {
         String encoded = URLEncoder.encode(name, StandardCharsets.UTF_8).replace("+", "%20");
 
-        assertThat(asPage("PUT /api/motions/" + encoded, "// hello\n")).startsWith("HTTP/1.1 200");
+        assertThat(asPage("PUT /api/files/motion/" + encoded, "// hello\n")).startsWith("HTTP/1.1 200");
 
         assertThat(folder.resolve(name + ".txt")).hasContent("// hello\n");
-        assertThat(asPage("GET /api/motions/" + encoded, "")).endsWith("// hello\n");
+        assertThat(asPage("GET /api/files/motion/" + encoded, "")).endsWith("// hello\n");
         assertThat(new MotionFiles(folder).names()).containsExactly(name);
         assertThat(listed()).containsExactly(name);
         assertThat(MotionFiles.library(folder).find(name)).isPresent();
@@ -159,10 +160,10 @@ class MotionAccessTest {
         Path decomposed = Files.writeString(folder.resolve("gru\u0308ßen.txt"), "// mac\n");
 
         assertThat(listed()).containsExactly("grüßen");
-        String version = asPage("GET /api/motions/gr%C3%BC%C3%9Fen", "");
+        String version = asPage("GET /api/files/motion/gr%C3%BC%C3%9Fen", "");
         assertThat(version).endsWith("// mac\n");
         String known = version.replaceFirst("(?s).*\nVersion: (\\w+).*", "$1");
-        assertThat(asPage("PUT /api/motions/gr%C3%BC%C3%9Fen", "// new\n", "Known-Version: " + known))
+        assertThat(asPage("PUT /api/files/motion/gr%C3%BC%C3%9Fen", "// new\n", "Known-Version: " + known))
                 .startsWith("HTTP/1.1 200");
 
         assertThat(decomposed).hasContent("// new\n");
@@ -184,7 +185,7 @@ class MotionAccessTest {
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
                 .isZero();
 
-        String list = asPage("GET /api/motions", "");
+        String list = asPage("GET /api/files/motion", "");
 
         assertThat(listed()).containsExactly("good");
         assertThat(list)
@@ -192,25 +193,25 @@ class MotionAccessTest {
                 .contains("huge.txt is larger than 2 MB", "pipe.txt is not a regular file but a device or a pipe")
                 .contains("The name of the file what?.txt contains \\\"?\\\"");
         for (String name : List.of("huge", "pipe", "folder")) {
-            assertThat(asPage("GET /api/motions/" + name, ""))
+            assertThat(asPage("GET /api/files/motion/" + name, ""))
                     .startsWith("HTTP/1.1 409")
                     .contains("The file ", name + ".txt is ");
-            assertThat(asPage("PUT /api/motions/" + name, "evil")).startsWith("HTTP/1.1 409");
+            assertThat(asPage("PUT /api/files/motion/" + name, "evil")).startsWith("HTTP/1.1 409");
         }
     }
 
     private List<String> listed() throws IOException {
-        String answer = asPage("GET /api/motions", "");
+        String answer = asPage("GET /api/files/motion", "");
         JsonObject json = JsonParser.parseString(answer.substring(answer.indexOf("\r\n\r\n")))
                 .getAsJsonObject();
-        return json.getAsJsonArray("own").asList().stream()
-                .map(entry -> entry.getAsJsonObject().get("name").getAsString())
+        return json.getAsJsonArray("files").asList().stream()
+                .map(entry -> entry.getAsJsonObject().get("path").getAsString())
                 .toList();
     }
 
     @Test
     void pagesOfOthersMayNotChangeFiles() throws IOException {
-        String put = "PUT /api/motions/evil";
+        String put = "PUT /api/files/motion/evil";
         String own = "Origin: http://" + studio.address().getAuthority();
 
         assertThat(send(put, "x", cookie, "Origin: http://evil.example")).startsWith("HTTP/1.1 403");
@@ -224,19 +225,19 @@ class MotionAccessTest {
                         own,
                         "Cookie: robonewbie-studio-" + studio.address().getPort() + "=wrong"))
                 .startsWith("HTTP/1.1 403");
-        assertThat(send("GET /api/motions", "")).startsWith("HTTP/1.1 403");
+        assertThat(send("GET /api/files/motion", "")).startsWith("HTTP/1.1 403");
         assertThat(folder).isEmptyDirectory();
     }
 
     @Test
     void fileThatAnotherProgramHasChangedIsNotOverwritten() throws IOException {
-        String version = header(asPage("PUT /api/motions/mine", "a"), "Version");
+        String version = header(asPage("PUT /api/files/motion/mine", "a"), "Version");
         Files.writeString(folder.resolve("mine.txt"), "b");
 
-        assertThat(asPage("PUT /api/motions/mine", "c", "Known-Version: " + version))
+        assertThat(asPage("PUT /api/files/motion/mine", "c", "Known-Version: " + version))
                 .startsWith("HTTP/1.1 409")
                 .contains("\"mine\" was changed by another program after it was opened here.");
-        assertThat(asPage("PUT /api/motions/mine", "c"))
+        assertThat(asPage("PUT /api/files/motion/mine", "c"))
                 .startsWith("HTTP/1.1 409")
                 .contains("There is already a motion named \"mine\". Choose another name.");
         assertThat(folder.resolve("mine.txt")).hasContent("b");
@@ -245,7 +246,7 @@ class MotionAccessTest {
     @Test
     void fileThatIsTooLargeIsRefused() throws IOException {
         assertThat(send(
-                        "PUT /api/motions/mine",
+                        "PUT /api/files/motion/mine",
                         "",
                         "Origin: http://" + studio.address().getAuthority(),
                         cookie,
@@ -256,20 +257,20 @@ class MotionAccessTest {
 
     @Test
     void draftsComeAndGo() throws IOException {
-        asPage("PUT /api/drafts/mine", "draft");
-        assertThat(asPage("GET /api/drafts/mine", "")).endsWith("draft");
+        asPage("PUT /api/files/motion-draft/mine", "draft");
+        assertThat(asPage("GET /api/files/motion-draft/mine", "")).endsWith("draft");
 
-        asPage("DELETE /api/drafts/mine", "");
+        asPage("DELETE /api/files/motion-draft/mine", "");
 
-        assertThat(asPage("GET /api/drafts/mine", ""))
+        assertThat(asPage("GET /api/files/motion-draft/mine", ""))
                 .startsWith("HTTP/1.1 404")
                 .contains("There is no motion named \"mine\".");
     }
 
     @Test
     void everyMotionOfTheLibraryCanBeOpened() throws IOException {
-        assertThat(asPage("GET /api/motions", "")).contains("\"wave\"", "\"walk-forward\"", "\"stand\"");
-        String wave = asPage("GET /api/library/wave", "");
+        assertThat(asPage("GET /api/files/motion-library", "")).contains("\"wave\"", "\"walk-forward\"", "\"stand\"");
+        String wave = asPage("GET /api/files/motion-library/wave", "");
         String content = wave.substring(wave.indexOf("\r\n\r\n") + 4);
 
         assertThat(MotionFile.parse("wave.txt", content).motion().keyframes()).hasSizeGreaterThan(2);

@@ -22,8 +22,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(60)
 class SavingTest {
 
-    private static final String PROGRAM = "programs/own/MyAgent.java";
-    private static final String DRAFT = "programs/draft/MyAgent.java";
+    private static final String PROGRAM = "files/program/MyAgent.java";
+    private static final String DRAFT = "files/program-draft/MyAgent.java";
 
     @TempDir
     private Path folder;
@@ -73,7 +73,7 @@ class SavingTest {
         Files.writeString(folder.resolve("mine.txt.part"), "half a mot");
 
         assertThat(send("GET", "programs", "")).doesNotContain(".part");
-        assertThat(send("GET", "motions", "")).doesNotContain(".part");
+        assertThat(send("GET", "files/motion", "")).doesNotContain(".part");
         assertThat(send("PUT", PROGRAM, "// whole")).startsWith("HTTP/1.1 200");
         assertThat(folder.resolve("MyAgent.java")).hasContent("// whole");
     }
@@ -82,7 +82,7 @@ class SavingTest {
     void writeErrorIsReportedAndTheOldFileIsKept() throws IOException {
         Files.writeString(folder.resolve("src"), "mine");
 
-        assertThat(send("PUT", "programs/own/src/main/java/A.java", "// second"))
+        assertThat(send("PUT", "files/program/src/main/java/A.java", "// second"))
                 .startsWith("HTTP/1.1 500")
                 .contains("The file " + folder.resolve("src/main/java/A.java") + " cannot be written: ");
         assertThat(folder.resolve("src")).hasContent("mine");
@@ -92,7 +92,7 @@ class SavingTest {
     void pipeAmongTheFilesIsRefusedAtOnce() throws Exception {
         Assumptions.assumeThat(mkfifo("Pipe.java") && mkfifo("pipe.txt")).isTrue();
 
-        for (String place : new String[] {"programs/own/Pipe.java", "motions/pipe"}) {
+        for (String place : new String[] {"files/program/Pipe.java", "files/motion/pipe"}) {
             assertThat(send("GET", place, "")).startsWith("HTTP/1.1 409").contains("a device or a pipe");
             assertThat(send("PUT", place, "x")).startsWith("HTTP/1.1 409");
         }
@@ -117,8 +117,10 @@ class SavingTest {
             file.position(3_000_000_000L).write(ByteBuffer.wrap(new byte[1]));
         }
 
-        assertThat(send("GET", "motions", "")).contains("\"mine\"").doesNotContain("\"huge\"");
-        assertThat(send("GET", "motions/huge", "")).startsWith("HTTP/1.1 409").contains("is larger than 2 MB");
+        assertThat(send("GET", "files/motion", "")).contains("\"mine\"").doesNotContain("\"huge\"");
+        assertThat(send("GET", "files/motion/huge", ""))
+                .startsWith("HTTP/1.1 409")
+                .contains("is larger than 2 MB");
     }
 
     @Test

@@ -31,10 +31,8 @@ class ScriptReadersTest {
             Map.entry("live/connection.js", 1), // an error message of the server
             Map.entry("live/server.js", 1), // an error message of the server
             Map.entry("page/course-server.js", 1), // solutions shipped with the page
-            Map.entry("page/motion-server.js", 1), // the index of the library
             Map.entry("page/program-server.js", 1), // examples shipped with the page
             Map.entry("page/page-compiler.js", 1), // class names that the build found missing
-            Map.entry("page/class-assignment.js", 1), // programs that the page itself returns
             Map.entry("page/packed-text.js", 1))); // packed by the page; anything but UTF-8 is damaged
 
     @Test

@@ -3,7 +3,10 @@ package org.robonewbie.studio.file;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
@@ -12,24 +15,36 @@ import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
+import org.robonewbie.studio.service.PageRequest;
 
 /** HTTP endpoint for part of the studio's API. Converts exceptions to error responses. */
 public abstract class ApiHandler extends Handler.Abstract {
 
-    /** Creates the endpoint. */
-    protected ApiHandler() {}
+    private static final String API = "/api/";
+
+    private final Set<PageRequest> requests;
+
+    /**
+     * Creates the endpoint.
+     *
+     * @param requests the requests that it answers, in the order of their declaration
+     */
+    protected ApiHandler(EnumSet<PageRequest> requests) {
+        this.requests = EnumSet.copyOf(requests);
+    }
 
     /**
      * Handles a request.
      *
-     * @param request the request
-     * @param path its path
-     * @return the response; empty if the path belongs to another endpoint
+     * @param asked what is requested
+     * @param path decoded segments of its path below {@code /api/}
+     * @param request the HTTP request
+     * @return the response
      * @throws IOException if a file cannot be read or written
      * @throws IllegalArgumentException if the request is refused; the message gives the reason
      * @throws IllegalStateException if the request is refused in the current state; the message gives the reason
      */
-    protected abstract Optional<Answer> answer(Request request, String path) throws IOException;
+    protected abstract Answer answer(PageRequest asked, List<String> path, Request request) throws IOException;
 
     /**
      * Explains an unexpected problem to the user.
@@ -54,14 +69,22 @@ public abstract class ApiHandler extends Handler.Abstract {
 
     @Override
     public final boolean handle(Request request, Response response, Callback callback) {
-        Optional<Answer> answer = answerOrRefuse(request);
+        String address = Request.getPathInContext(request);
+        if (!address.startsWith(API)) {
+            return false;
+        }
+        Optional<Answer> answer = answerOrRefuse(address.substring(API.length()), request);
         answer.ifPresent(found -> found.send(response, callback));
         return answer.isPresent();
     }
 
-    private Optional<Answer> answerOrRefuse(Request request) {
+    private Optional<Answer> answerOrRefuse(String address, Request request) {
         try {
-            return answer(request, Request.getPathInContext(request));
+            List<String> path = PathPart.decodeAll(address);
+            Optional<PageRequest> asked = requests.stream()
+                    .filter(each -> each.fits(request.getMethod(), path))
+                    .findFirst();
+            return asked.isPresent() ? Optional.of(answer(asked.get(), path, request)) : Optional.empty();
         } catch (RefusedException refused) {
             return Optional.of(Answer.refused(refused.status(), refused.getMessage()));
         } catch (IllegalArgumentException
@@ -97,16 +120,6 @@ public abstract class ApiHandler extends Handler.Abstract {
      */
     protected static String header(Request request, String name) {
         return Optional.ofNullable(request.getHeaders().get(name)).orElse("");
-    }
-
-    /**
-     * Returns the version of the file that the page has read.
-     *
-     * @param request the request
-     * @return the version; empty for a new file
-     */
-    protected static String knownVersion(Request request) {
-        return header(request, "Known-Version");
     }
 
     /**

@@ -16,33 +16,39 @@ import org.robonewbie.nao.file.UnwritableFileException;
  * Folder of files of one kind that pages may read and write; pages cannot access files outside it. Writes are atomic,
  * so no reader sees a partial file.
  */
-public abstract class PageFolder {
+public abstract class PageFolder implements PageFiles {
 
     private final Path folder;
     private final int maxBytes;
+    private final Optional<PageFolder> drafts;
 
     /**
      * Provides access to a folder, which need not exist yet.
      *
      * @param folder the folder
-     * @param maxBytes maximum size of a file to read
+     * @param maxBytes maximum size of a file
+     * @param drafts the folder for unsaved changes to these files, which are then documents of the user: pages replace only the version
+     *     that they have read, and delete none. If it is empty, pages write these files without being asked
      */
-    protected PageFolder(Path folder, int maxBytes) {
+    protected PageFolder(Path folder, int maxBytes, Optional<PageFolder> drafts) {
         this.maxBytes = maxBytes;
+        this.drafts = drafts;
         this.folder = folder.toAbsolutePath().normalize();
     }
-
-    /**
-     * A file in the folder.
-     *
-     * @param path its path as used by pages
-     * @param version its {@link FileVersion}
-     */
-    public record Entry(String path, String version) {}
 
     /** {@return the folder} */
     public Path folder() {
         return folder;
+    }
+
+    /** {@return the folder for unsaved changes; empty if these files are not documents of the user} */
+    public Optional<PageFolder> drafts() {
+        return drafts;
+    }
+
+    @Override
+    public int maxBytes() {
+        return maxBytes;
     }
 
     /**
@@ -54,9 +60,6 @@ public abstract class PageFolder {
      * @throws IOException if the path cannot be resolved
      */
     public abstract Path file(String path) throws IOException;
-
-    /** {@return the noun for the files in this folder in messages, such as "motion"} */
-    protected abstract String kind();
 
     /**
      * Lists files, omitting unreadable ones.
@@ -77,35 +80,33 @@ public abstract class PageFolder {
     }
 
     /**
-     * Reads a file.
+     * {@inheritDoc}
      *
-     * @param path path as used by pages
-     * @return the contents; empty if there is no such file
      * @throws UnreadableFileException if it is not a regular file, too large, or unreadable
-     * @throws IOException if the path cannot be resolved
      */
+    @Override
     public Optional<byte[]> read(String path) throws IOException {
+        return stored(path);
+    }
+
+    private Optional<byte[]> stored(String path) throws IOException {
         Path file = file(path);
         return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
     }
 
-    /**
-     * Writes a file if it has not changed since the writer last read it, or if it already has these contents.
-     *
-     * @param path path as used by pages
-     * @param content the new contents
-     * @param knownVersion the version that the writer has read; empty if the file must not exist yet
-     * @return the new version
-     * @throws RefusedException if the file has changed since then
-     * @throws IOException if it cannot be written
-     */
-    public synchronized String write(String path, byte[] content, String knownVersion) throws IOException {
-        String present = read(path).map(FileVersion::of).orElse("");
+    @Override
+    public synchronized String write(String path, byte[] content, Optional<String> knownVersion) throws IOException {
+        String present = stored(path).map(FileVersion::of).orElse("");
         String next = FileVersion.of(content);
-        if (!present.equals(knownVersion) && !present.equals(next)) {
-            throw new RefusedException(409, conflict(path, knownVersion, present));
+        String known = knownVersion.orElse(drafts.isPresent() ? "" : present);
+        boolean isGone = present.isEmpty() && drafts.isEmpty();
+        if (!present.equals(known) && !present.equals(next) && !isGone) {
+            throw new RefusedException(409, conflict(path, known, present));
         }
         overwrite(path, content);
+        if (drafts.isPresent()) {
+            drafts.get().remove(path, Optional.of(next)); // another window may hold a different draft
+        }
         return next;
     }
 
@@ -121,28 +122,7 @@ public abstract class PageFolder {
                         + " was changed by another program after it was opened here. Reload it, or save it under another name.";
     }
 
-    /**
-     * Writes a file unless it has changed since the writer last read it. A deleted file is written again.
-     *
-     * @param path path as used by pages
-     * @param content the new contents
-     * @param knownVersion the version that the writer has read; empty if it has read none
-     * @return the new version
-     * @throws RefusedException if the file has changed since then
-     * @throws IOException if it cannot be written
-     */
-    public synchronized String writeIfKnown(String path, byte[] content, String knownVersion) throws IOException {
-        return write(path, content, read(path).isPresent() ? knownVersion : "");
-    }
-
-    /**
-     * Writes a file regardless of its previous contents.
-     *
-     * @param path path as used by pages
-     * @param content the new contents
-     * @throws IOException if it cannot be written
-     */
-    public synchronized void overwrite(String path, byte[] content) throws IOException {
+    private void overwrite(String path, byte[] content) throws IOException {
         Path file = file(path);
         try {
             Files.createDirectories(Objects.requireNonNull(file.getParent()));
@@ -152,26 +132,13 @@ public abstract class PageFolder {
         AtomicFile.write(file, content);
     }
 
-    /**
-     * Deletes a file if it exists.
-     *
-     * @param path path as used by pages
-     * @throws IOException if it cannot be deleted
-     */
-    public synchronized void remove(String path) throws IOException {
-        Files.deleteIfExists(file(path));
-    }
-
-    /**
-     * Deletes a file if it has the given version.
-     *
-     * @param path path as used by pages
-     * @param version the version; a file with a different version is kept
-     * @throws IOException if it cannot be deleted
-     */
-    public synchronized void remove(String path, String version) throws IOException {
-        if (read(path).map(FileVersion::of).filter(version::equals).isPresent()) {
-            remove(path);
+    @Override
+    public synchronized void remove(String path, Optional<String> version) throws IOException {
+        if (drafts.isPresent()) {
+            PageFiles.super.remove(path, version);
+        }
+        if (version.isEmpty() || stored(path).map(FileVersion::of).equals(version)) {
+            Files.deleteIfExists(file(path));
         }
     }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.studio.file.FileVersion;
@@ -14,24 +15,39 @@ import org.robonewbie.studio.file.PlainFile;
 import org.robonewbie.studio.file.RefusedException;
 
 /** Folder of motion files. Like agents, pages refer to a motion by its file name without the extension. */
-final class MotionFolder extends PageFolder {
+class MotionFolder extends PageFolder {
+
+    private static final String STUDIO = ".studio";
 
     private final MotionFiles files;
 
-    MotionFolder(Path folder) {
-        super(folder, MotionFiles.MAX_BYTES);
+    private MotionFolder(Path folder, Optional<PageFolder> drafts) {
+        super(folder, MotionFiles.MAX_BYTES, drafts);
         this.files = new MotionFiles(folder());
     }
 
-    /**
-     * Contents of the folder.
-     *
-     * @param entries the motions in alphabetical order
-     * @param leftOut one message for each file that was omitted
-     */
-    record Listing(List<Entry> entries, List<String> leftOut) {}
+    /** Returns the motions in a folder. */
+    static MotionFolder of(Path folder) {
+        return new MotionFolder(folder, Optional.of(drafts(folder)));
+    }
 
-    Listing list() {
+    /** Returns the unsaved changes to the motions in a folder. */
+    private static MotionFolder drafts(Path folder) {
+        return new MotionFolder(folder.resolve(STUDIO).resolve("drafts"), Optional.empty());
+    }
+
+    /** Returns the file with the user's postures, which is empty at first. */
+    static MotionFolder postures(Path folder) {
+        return new MotionFolder(folder.resolve(STUDIO), Optional.empty()) {
+            @Override
+            public Optional<byte[]> read(String name) throws IOException {
+                return super.read(name).or(() -> Optional.of(new byte[0]));
+            }
+        };
+    }
+
+    @Override
+    public Listing list() {
         List<Entry> entries = new ArrayList<>();
         List<String> leftOut = new ArrayList<>(files.problems());
         for (String name : files.names()) {
@@ -41,11 +57,11 @@ final class MotionFolder extends PageFolder {
                 leftOut.add(String.valueOf(unreadable.getMessage()));
             }
         }
-        return new Listing(entries, leftOut);
+        return new Listing(folder().toString(), entries, leftOut);
     }
 
     @Override
-    protected String kind() {
+    public String kind() {
         return "motion";
     }
 

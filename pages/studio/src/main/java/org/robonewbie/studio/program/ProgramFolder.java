@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,39 +23,57 @@ import org.robonewbie.studio.file.RefusedException;
  * Java files that a page may read and write: those directly in a folder and those in its {@code src/main/java}. They are identified by
  * their path relative to the folder, with slashes.
  */
-final class ProgramFolder extends PageFolder {
+class ProgramFolder extends PageFolder {
 
     /** Maximum size of a program in bytes. */
     static final int MAX_BYTES = 1 << 20;
 
     private static final String ENDING = ".java";
     private static final String SOURCES = "src/main/java";
+    private static final String STUDIO = ".studio";
+    private static final int MAX_HISTORY_BYTES = 4 << 20;
     private static final int MAX_FILES = 500;
     private static final int MAX_DEPTH = 12;
     private static final Pattern PATH = Pattern.compile(
             "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + MAX_DEPTH + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
     private final String suffix;
+    private final boolean isProject;
 
-    ProgramFolder(Path folder) {
-        this(folder, MAX_BYTES, "");
-    }
-
-    /** Provides access to files that accompany programs: each has the name of its program plus a suffix. */
-    ProgramFolder(Path folder, int maxBytes, String suffix) {
-        super(folder, maxBytes);
+    private ProgramFolder(Path folder, int maxBytes, Optional<PageFolder> drafts, String suffix) {
+        super(folder, maxBytes, drafts);
         this.suffix = suffix;
+        this.isProject = drafts.isPresent();
     }
 
-    /** Returns all files in alphabetical order, those directly in the folder first. */
-    List<Entry> list() throws IOException {
-        return entries(
-                Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), MAX_DEPTH).stream()));
+    /** Returns the programs in a folder. */
+    static ProgramFolder of(Path folder) {
+        return new ProgramFolder(folder, MAX_BYTES, Optional.of(drafts(folder)), "");
     }
 
-    /** Returns all files below the folder. */
-    List<Entry> listAll() throws IOException {
-        return entries(paths(folder(), MAX_DEPTH + 1).stream());
+    /** Returns the unsaved changes to the programs in a folder. */
+    private static ProgramFolder drafts(Path folder) {
+        return new ProgramFolder(folder.resolve(STUDIO).resolve("programs"), MAX_BYTES, Optional.empty(), "");
+    }
+
+    /** Returns the saved versions of the programs in a folder, as the pages write them; at first, each is empty. */
+    static ProgramFolder histories(Path folder) {
+        Path place = folder.resolve(STUDIO).resolve("history");
+        return new ProgramFolder(place, MAX_HISTORY_BYTES, Optional.empty(), ".json") {
+            @Override
+            public Optional<byte[]> read(String path) throws IOException {
+                return super.read(path).or(() -> Optional.of(new byte[0]));
+            }
+        };
+    }
+
+    /** Returns all files in alphabetical order; of a project, those directly in the folder first. */
+    @Override
+    public Listing list() throws IOException {
+        Stream<String> paths = isProject
+                ? Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), MAX_DEPTH).stream())
+                : paths(folder(), MAX_DEPTH + 1).stream();
+        return new Listing(folder().toString(), entries(paths), List.of());
     }
 
     private List<String> paths(Path start, int depth) throws IOException {
@@ -94,8 +113,8 @@ final class ProgramFolder extends PageFolder {
     }
 
     @Override
-    protected String kind() {
-        return "file";
+    public String kind() {
+        return "program";
     }
 
     @Override

@@ -2,6 +2,8 @@ package org.robonewbie.studio.scene;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -11,22 +13,14 @@ import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.ApiHandler;
-import org.robonewbie.studio.file.PathPart;
+import org.robonewbie.studio.service.PageRequest;
 
 /**
- * HTTP endpoint for scenes: saves them, and continues from them or from any cycle of a recording.
- *
- * <pre>
- * /api/scenes                           see {@link SceneService}; the header Replace: yes corresponds to its parameter POST
- * /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
- * </pre>
- *
- * <p>The last request returns whether the state is exact and how many agents have restored their own states.
+ * HTTP endpoint for scenes: saves them, and continues from them or from any cycle of a recording. The header {@code Replace: yes}
+ * corresponds to the parameter of {@link SceneService}. A start from a recording returns whether the state is exact and how many agents have
+ * restored their own states.
  */
 public final class SceneApi extends ApiHandler {
-
-    private static final String SCENES = "/api/scenes";
-    private static final String START = "/api/start/";
 
     private final Path folder;
     private final SceneService service;
@@ -45,6 +39,7 @@ public final class SceneApi extends ApiHandler {
             RestorableSimulation world,
             Consumer<UndoableCommand> done,
             Function<String, Optional<Path>> recordings) {
+        super(EnumSet.range(PageRequest.SCENES, PageRequest.START_FROM));
         this.folder = folder;
         this.service = new SceneService(
                 new SceneFolder(folder), folder.toAbsolutePath().toString(), world, done);
@@ -52,25 +47,21 @@ public final class SceneApi extends ApiHandler {
     }
 
     @Override
-    protected Optional<Answer> answer(Request request, String path) throws IOException {
-        return path.startsWith(SCENES) || path.startsWith(START)
-                ? Optional.of(Answer.json(reply(request, path)))
-                : Optional.empty();
+    protected Answer answer(PageRequest asked, List<String> path, Request request) throws IOException {
+        return Answer.json(
+                asked == PageRequest.START_FROM
+                        ? start(path.get(1), moment(request))
+                        : service.answer(
+                                request.getMethod(),
+                                path.subList(1, path.size()),
+                                name -> name.equals("replace")
+                                        ? header(request, "Replace")
+                                        : parameter(request, name)));
     }
 
     @Override
     protected String explain(IOException problem) {
         return explain("The scene", folder, problem);
-    }
-
-    private String reply(Request request, String path) throws IOException {
-        if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            return start(PathPart.decode(path.substring(START.length())), moment(request));
-        }
-        return service.answer(
-                request.getMethod(),
-                PathPart.decodeAll(path.substring(SCENES.length())),
-                name -> name.equals("replace") ? header(request, "Replace") : parameter(request, name));
     }
 
     private String start(String name, long moment) throws IOException {

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.file.UnreadableFileException;
-import org.robonewbie.studio.file.PageFolder;
+import org.robonewbie.studio.file.PageFiles;
 import org.robonewbie.studio.file.RefusedException;
 
 /** Programs are read and written in their folder only, and never overwrite changes of another program. */
@@ -25,11 +26,11 @@ class ProgramFolderTest {
     @TempDir
     private Path place;
 
-    private ProgramFolder folder = new ProgramFolder(Path.of(""));
+    private ProgramFolder folder = ProgramFolder.of(Path.of(""));
 
     @BeforeEach
     void open() throws IOException {
-        folder = new ProgramFolder(Files.createDirectory(place.resolve("mine")));
+        folder = ProgramFolder.of(Files.createDirectory(place.resolve("mine")));
         Files.writeString(place.resolve("Secret.java"), "class Secret {}");
     }
 
@@ -53,7 +54,8 @@ class ProgramFolderTest {
             })
     void namesThatLeadElsewhereAreRefused(String path) {
         assertThatThrownBy(() -> folder.read(path)).isInstanceOf(RefusedException.class);
-        assertThatThrownBy(() -> folder.overwrite(path, bytes("class A {}"))).isInstanceOf(RefusedException.class);
+        assertThatThrownBy(() -> folder.write(path, bytes("class A {}"), Optional.empty()))
+                .isInstanceOf(RefusedException.class);
     }
 
     @Test
@@ -62,7 +64,7 @@ class ProgramFolderTest {
         Files.createSymbolicLink(folder.folder().resolve("out"), place);
 
         assertThatThrownBy(() -> folder.read("Link.java")).hasMessageContaining("a link to a place outside");
-        assertThatThrownBy(() -> folder.overwrite("out/Secret.java", bytes("")))
+        assertThatThrownBy(() -> folder.write("out/Secret.java", bytes(""), Optional.empty()))
                 .hasMessageContaining("a link to a place outside");
         assertThat(place.resolve("Secret.java")).hasContent("class Secret {}");
     }
@@ -70,7 +72,7 @@ class ProgramFolderTest {
     @Test
     @Timeout(20)
     void irregularFileIsSkippedAndNeverOpened() throws IOException, InterruptedException {
-        folder.overwrite("Kick.java", bytes("class Kick {}"));
+        folder.write("Kick.java", bytes("class Kick {}"), Optional.empty());
         Path pipe = folder.folder().resolve("Pipe.java");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
                 .isZero();
@@ -80,37 +82,37 @@ class ProgramFolderTest {
         }
         Files.createDirectory(folder.folder().resolve("Folder.java"));
 
-        assertThat(folder.list()).extracting(PageFolder.Entry::path).containsExactly("Kick.java");
+        assertThat(folder.list().files()).extracting(PageFiles.Entry::path).containsExactly("Kick.java");
         for (String name : List.of("Pipe.java", "Huge.java", "Folder.java")) {
             assertThatThrownBy(() -> folder.read(name))
                     .isInstanceOf(UnreadableFileException.class)
                     .hasMessageContaining(name + " is ");
-            assertThatThrownBy(() -> folder.write(name, bytes("class A {}"), ""))
+            assertThatThrownBy(() -> folder.write(name, bytes("class A {}"), Optional.of("")))
                     .isInstanceOf(UnreadableFileException.class);
         }
     }
 
     @Test
     void filesOfTheFolderAndOfItsProjectAreListed() throws IOException {
-        folder.overwrite("src/main/java/my/team/Attacker.java", bytes("class Attacker {}"));
-        folder.overwrite("Kick.java", bytes("class Kick {}"));
-        folder.overwrite("other/Hidden.java", bytes("class Hidden {}"));
+        folder.write("src/main/java/my/team/Attacker.java", bytes("class Attacker {}"), Optional.empty());
+        folder.write("Kick.java", bytes("class Kick {}"), Optional.empty());
+        folder.write("other/Hidden.java", bytes("class Hidden {}"), Optional.empty());
 
-        assertThat(folder.list())
-                .extracting(PageFolder.Entry::path)
+        assertThat(folder.list().files())
+                .extracting(PageFiles.Entry::path)
                 .containsExactly("Kick.java", "src/main/java/my/team/Attacker.java");
     }
 
     @Test
     void changesOfAnotherProgramAreKept() throws IOException {
-        String seen = folder.write("A.java", bytes("class A {}"), "");
-        folder.overwrite("A.java", bytes("class A { int other; }"));
+        String seen = folder.write("A.java", bytes("class A {}"), Optional.of(""));
+        folder.write("A.java", bytes("class A { int other; }"), Optional.of(seen));
 
-        assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), seen))
+        assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), Optional.of(seen)))
                 .hasMessage(
                         "\"A.java\" was changed by another program after it was opened here. Reload it, or save it under another name.");
-        assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), ""))
-                .hasMessage("There is already a file named \"A.java\". Choose another name.");
+        assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), Optional.of("")))
+                .hasMessage("There is already a program named \"A.java\". Choose another name.");
         assertThat(folder.folder().resolve("A.java")).hasContent("class A { int other; }");
     }
 }

@@ -1,9 +1,9 @@
 /** Client for the motion files on the studio's server. */
 import { ask } from '../live/server.js';
+import { ServerFiles } from '../live/server-files.js';
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { bodyOf } from '../state/motion/body.js';
 import { decode, encode, NAO, robotOf } from '../state/motion/motion-text.js';
-import { pathPart } from '../state/path-part.js';
 
 /**
  * @typedef {import('../state/motion/motion-text.js').MotionDocument} MotionDocument
@@ -16,9 +16,20 @@ import { pathPart } from '../state/path-part.js';
  * @property {string[]} leftOut a sentence about each unplayable file in the folder
  */
 
+const POSTURES = 'poses';
+
+/** @param {import('../live/server-files.js').ListedFile} file */
+const named = ({ path, version }) => ({ name: path, version });
+
 export class MotionFiles {
   /** Robots by name. @type {Map<string, import('../state/motion/body.js').Body>} */
   #bodies = new Map();
+  #files = {
+    motions: new ServerFiles('motion'),
+    drafts: new ServerFiles('motion-draft'),
+    library: new ServerFiles('motion-library'),
+  };
+  #postures = new ServerFiles('postures');
 
   /** @param {string} [robot] name of a robot @returns {Promise<import('../state/motion/body.js').Body>} */
   async body(robot = NAO) {
@@ -26,14 +37,23 @@ export class MotionFiles {
     if (known) {
       return known;
     }
-    const body = bodyOf(await (await ask(robot === NAO ? 'robot' : `robot/${pathPart(robot)}`)).json());
+    const answer = await (robot === NAO ? ask('GET robot') : ask('GET robot/NAME', { NAME: robot }));
+    const body = bodyOf(await answer.json());
     this.#bodies.set(robot, body);
     return body;
   }
 
   /** @returns {Promise<MotionList>} */
   async list() {
-    return (await ask('motions')).json();
+    const kinds = [this.#files.motions, this.#files.drafts, this.#files.library];
+    const [own, drafts, library] = await Promise.all(kinds.map((files) => files.list()));
+    return {
+      folder: own.folder,
+      own: own.files.map(named),
+      drafts: drafts.files.map(named),
+      library: library.files.map(({ path }) => path),
+      leftOut: own.leftOut,
+    };
   }
 
   /**
@@ -43,12 +63,10 @@ export class MotionFiles {
    *     that it is for
    */
   async read(collection, name) {
-    const answer = await ask(`${collection}/${pathPart(name)}`);
-    const bytes = new Uint8Array(await answer.arrayBuffer());
+    const { bytes, version } = await this.#files[collection].read(name);
     try {
       const document = decode(bytes);
       const body = await this.body(robotOf(document));
-      const version = answer.headers.get('Version') ?? '';
       return { document: body.isNao ? document : decode(bytes, body.joints.length), version, body };
     } catch (error) {
       const problem = /** @type {Error} */ (error).message;
@@ -63,33 +81,27 @@ export class MotionFiles {
    * @returns {Promise<string>} the new version
    */
   async write(name, document, known) {
-    const answer = await ask(`motions/${pathPart(name)}`, {
-      method: 'PUT',
-      body: encode(document),
-      headers: { 'Known-Version': known },
-    });
-    return answer.headers.get('Version') ?? '';
+    return this.#files.motions.write(name, encode(document), known);
   }
 
   /** @param {string} name @param {MotionDocument} document */
   async writeDraft(name, document) {
-    await ask(`drafts/${pathPart(name)}`, { method: 'PUT', body: encode(document) });
+    await this.#files.drafts.write(name, encode(document));
   }
 
   /** @param {string} name */
   async removeDraft(name) {
-    await ask(`drafts/${pathPart(name)}`, { method: 'DELETE' });
+    await this.#files.drafts.remove(name);
   }
 
   /** @returns {Promise<string>} */
   async postures() {
-    const answer = await ask('poses');
-    return decodeText(new Uint8Array(await answer.arrayBuffer())).content;
+    return decodeText((await this.#postures.read(POSTURES)).bytes).content;
   }
 
   /** @param {string} text */
   async writePostures(text) {
-    await ask('poses', { method: 'PUT', body: text });
+    await this.#postures.write(POSTURES, text);
   }
 
   /**
@@ -99,6 +111,6 @@ export class MotionFiles {
    */
   async trial(document, start) {
     const body = encode({ ...document, ...UTF_8 });
-    return (await ask('trial', { method: 'POST', body, headers: { Start: start } })).json();
+    return (await ask('POST trial', {}, { body, headers: { Start: start } })).json();
   }
 }

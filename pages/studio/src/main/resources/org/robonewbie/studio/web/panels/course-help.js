@@ -1,11 +1,11 @@
 /** Help for an exercise: hints that are revealed one by one, and a solution after several attempts. */
+import { answer } from '../live/server.js';
 import { hintButton, solutionButton } from '../state/course.js';
 import { button, element, setText } from './elements.js';
 
 /** @typedef {import('../state/course.js').Help} Help */
 
 export class CourseHelp {
-  #ask;
   #exercise = '';
   #hints = element('ol', { id: 'course-open-hints' });
   #next = button('', 'Opens the next hint of the worksheet', () => this.#open('hint'));
@@ -19,9 +19,7 @@ export class CourseHelp {
     this.#program,
   );
 
-  /** @param {(path: string, method?: string) => Promise<any>} ask */
-  constructor(ask) {
-    this.#ask = ask;
+  constructor() {
     this.#next.id = 'course-next-hint';
     this.#solve.id = 'course-show-solution';
     this.#next.hidden = true;
@@ -34,17 +32,18 @@ export class CourseHelp {
       this.#program.hidden = true;
     }
     this.#exercise = exercise;
-    this.#draw(await this.#ask(`course/${exercise}/help`));
+    this.#draw(await answer('GET course/NAME/help', { NAME: exercise }));
   }
 
   /** @param {'hint' | 'solution'} what */
   async #open(what) {
-    const answer = await this.#ask(`course/${this.#exercise}/${what}`, 'POST').catch((error) => error.message);
-    if (typeof answer === 'string') {
-      setText(this.#program, answer);
+    const request = what === 'hint' ? 'POST course/NAME/hint' : 'POST course/NAME/solution';
+    const opened = await answer(request, { NAME: this.#exercise }).catch((error) => error.message);
+    if (typeof opened === 'string') {
+      setText(this.#program, opened);
       this.#program.hidden = false;
     } else {
-      this.#draw(answer);
+      this.#draw(opened);
     }
   }
 

@@ -1,5 +1,5 @@
 /** Exercise panel: select an exercise, run a program on it, and follow its grading live. */
-import { ask } from '../live/server.js';
+import { answer } from '../live/server.js';
 import {
   byLevel,
   hints,
@@ -40,7 +40,7 @@ export class CoursePanel {
   #chosen;
   #shown = '';
   #isPolling = false;
-  #help = new CourseHelp((path, method) => this.#ask(path, method));
+  #help = new CourseHelp();
   #language = choice(
     {
       id: 'course-language',
@@ -138,12 +138,12 @@ export class CoursePanel {
 
   /** @param {string} code language code */
   async #speak(code) {
-    await this.#ask(`course/language?code=${code}`, 'POST');
+    await answer('POST course/language', { code });
     await this.#refresh();
   }
 
   async #refresh() {
-    const { language, lessons, programs, acceptsAgents, standings } = await this.#ask('course');
+    const { language, lessons, programs, acceptsAgents, standings } = await answer('GET course');
     this.#language.value = language;
     this.#lessons = byLevel(lessons);
     this.#classLink.show(this.#lessons);
@@ -177,7 +177,7 @@ export class CoursePanel {
 
   async #write() {
     if (this.#chosen) {
-      const file = await this.#ask(`course/${this.#chosen.name}`, 'PUT');
+      const file = await answer('PUT course/NAME', { NAME: this.#chosen.name });
       await this.#refresh();
       this.#note(`The starter code ${file} was created. Edit it, then press Start.`);
     }
@@ -186,14 +186,14 @@ export class CoursePanel {
   async #start() {
     const { program, trials } = this.#parts;
     if (this.#chosen) {
-      const how = new URLSearchParams({ program: program.value, trials: program.value ? trials.value : '1' });
-      this.#draw(await this.#ask(`course/${this.#chosen.name}?${how}`, 'POST'));
+      const how = { program: program.value, trials: program.value ? trials.value : '1' };
+      this.#draw(await answer('POST course/NAME', { NAME: this.#chosen.name, ...how }));
       this.#goLive();
     }
   }
 
   async #stop() {
-    this.#draw(await this.#ask('course/attempt', 'DELETE'));
+    this.#draw(await answer('DELETE course/attempt'));
     this.#goLive();
   }
 
@@ -201,7 +201,7 @@ export class CoursePanel {
   async #look() {
     while (!byId('course').hidden) {
       try {
-        this.#draw(await this.#ask('course/attempt'));
+        this.#draw(await answer('GET course/attempt'));
       } catch {
         // the studio is down or restarting, which the connection banner reports
       }
@@ -237,11 +237,6 @@ export class CoursePanel {
   /** @param {() => Promise<void>} action */
   #attemptTo(action) {
     action().catch((error) => this.#note(error.message));
-  }
-
-  /** @param {string} path @param {string} [method] */
-  async #ask(path, method = 'GET') {
-    return (await ask(path, { method })).json();
   }
 }
 

@@ -1,6 +1,5 @@
 /** Scenes: saves the current state under a name and restores it any number of times. */
-import { ask } from '../live/server.js';
-import { pathPart } from '../state/path-part.js';
+import { answer, ask } from '../live/server.js';
 import { button, byId, choice, element, setEntries } from './elements.js';
 
 /**
@@ -26,7 +25,7 @@ export function restoredText({ exact, agents }) {
  * @returns {Promise<{exact: boolean, agents: number}>}
  */
 export async function startFrom(recording, moment) {
-  return (await ask(`start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' })).json();
+  return answer('POST start/NAME', { NAME: recording, moment });
 }
 
 /**
@@ -97,7 +96,7 @@ class ScenePanel {
 
   async #refresh(chosen = this.list.value) {
     /** @type {{scenes: string[]}} */
-    const { scenes } = await (await ask('scenes')).json();
+    const { scenes } = await answer('GET scenes');
     setEntries(
       this.list,
       scenes.map((each) => [each, each]),
@@ -110,14 +109,14 @@ class ScenePanel {
 
   async #save() {
     const chosen = this.name.value.trim() || `Scene ${this.list.options.length + 1}`;
-    await this.#ask(chosen, '', 'PUT');
+    await ask('PUT scenes/NAME', { NAME: chosen });
     await this.#refresh(chosen);
     this.#forgetName(chosen);
     this.note(`Scene "${chosen}" was saved.`);
   }
 
   async #restore() {
-    const restored = await (await this.#ask(this.list.value, '', 'POST')).json();
+    const restored = await answer('POST scenes/NAME', { NAME: this.list.value });
     this.goLive();
     this.note(restoredText(restored));
   }
@@ -128,21 +127,16 @@ class ScenePanel {
       this.name.focus();
       throw new Error('Enter the new name in the field above first.');
     }
-    await this.#ask(to, `?was=${encodeURIComponent(from)}`, 'PUT');
+    await ask('PUT scenes/NAME', { NAME: to, was: from });
     await this.#refresh(to);
     this.#forgetName(to);
   }
 
   async #remove() {
     const scene = this.list.value;
-    await this.#ask(scene, '', 'DELETE');
+    await ask('DELETE scenes/NAME', { NAME: scene });
     await this.#refresh();
     this.note(`Scene "${scene}" was deleted. Undo restores it.`);
-  }
-
-  /** @param {string} scene @param {string} how @param {string} method */
-  #ask(scene, how, method) {
-    return ask(`scenes/${pathPart(scene)}${how}`, { method });
   }
 
   /** Clears the field, unless another name has been typed in the meantime. @param {string} used */

@@ -1,5 +1,5 @@
 /** Guides a new user to the tutorial; see `first-minute.js`. */
-import { ask } from '../live/server.js';
+import { answer } from '../live/server.js';
 import { nextLevel, SKIPPED } from '../state/program/first-minute.js';
 import { recall } from './memory.js';
 
@@ -12,7 +12,7 @@ export async function welcomeNewcomer(programs) {
   if (location.hash !== '' || recall(SKIPPED, false)) {
     return;
   }
-  const course = await (await ask('course')).json();
+  const course = await answer('GET course');
   if (nextLevel(course, programs) && location.hash === '') {
     location.replace('#program');
   }

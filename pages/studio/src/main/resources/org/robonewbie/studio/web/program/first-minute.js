@@ -2,7 +2,7 @@
  * Tutorial for new users: three levels, which are displayed above the program and graded in the simulated world, and an arrow that points
  * to the next step.
  */
-import { ask } from '../live/server.js';
+import { answer } from '../live/server.js';
 import { button, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { ghostOf, nextLevel, SKIPPED } from '../state/program/first-minute.js';
@@ -54,7 +54,7 @@ export class FirstMinute {
   /** Opens the next level for a newcomer. */
   async open() {
     if (!recall(SKIPPED, false)) {
-      this.#course = await (await ask('course')).json();
+      this.#course = await answer('GET course');
       const level = nextLevel(this.#course, this.room.files.list);
       if (level) {
         await this.#begin(level);
@@ -218,7 +218,7 @@ export class FirstMinute {
   async #speak() {
     const code = this.#course.language === 'en' ? 'de' : 'en';
     const index = this.#course.firstMinute?.levels.findIndex((level) => level === this.#level) ?? 0;
-    this.#course = await (await ask(`course/language?code=${code}`, { method: 'POST' })).json();
+    this.#course = await answer('POST course/language', { code });
     this.#level = this.#course.firstMinute?.levels[index];
     await this.room.exercises.open();
     this.opened();

@@ -1,11 +1,13 @@
 /** Client for everything that the program room needs: files, compiler, processes, exercises. The room's only access to the server. */
 
-import { ask } from '../live/server.js';
+import { answer, ask } from '../live/server.js';
+import { ServerFiles } from '../live/server-files.js';
 import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
 import { versionsFrom } from '../state/program/versions.js';
 
 /**
- * @typedef {{path: string, version: string}} ListedFile
+ * @typedef {import('../live/server-files.js').ListedFile} ListedFile
+ *
  * @typedef {object} ProgramList
  * @property {boolean} open whether programs can be written at all
  * @property {string} folder
@@ -26,16 +28,33 @@ import { versionsFrom } from '../state/program/versions.js';
  */
 
 export class ProgramService {
+  #files = {
+    own: new ServerFiles('program'),
+    draft: new ServerFiles('program-draft'),
+    example: new ServerFiles('example'),
+  };
+  #histories = new ServerFiles('program-history');
+
   /** @returns {Promise<ProgramList>} */
   async list() {
-    return (await ask('programs')).json();
+    const state = await answer('GET programs');
+    if (!state.open) {
+      return { ...state, folder: '', own: [], drafts: [], examples: [] };
+    }
+    const kinds = [this.#files.own, this.#files.draft, this.#files.example];
+    const [own, drafts, examples] = await Promise.all(kinds.map((files) => files.list()));
+    return {
+      ...state,
+      folder: own.folder,
+      own: own.files,
+      drafts: drafts.files,
+      examples: examples.files.map(({ path }) => path),
+    };
   }
 
   /** @param {'own' | 'draft' | 'example'} kind @param {string} path @returns {Promise<ReadProgram>} */
   async read(kind, path) {
-    const answer = await ask(`programs/${kind}/${escaped(path)}`);
-    const version = answer.headers.get('Version') ?? '';
-    const bytes = new Uint8Array(await answer.arrayBuffer());
+    const { bytes, version } = await this.#files[kind].read(path);
     try {
       return { text: decodeText(bytes), version, problem: '' };
     } catch (error) {
@@ -46,8 +65,7 @@ export class ProgramService {
 
   /** @param {string} path @param {string} [example] template @returns {Promise<string>} the text of a new program */
   async newProgram(path, example = '') {
-    const how = new URLSearchParams({ example });
-    return (await ask(`programs/new/${escaped(path)}?${how}`)).text();
+    return (await ask('GET programs/new/PATH', { PATH: path, example })).text();
   }
 
   /**
@@ -57,13 +75,7 @@ export class ProgramService {
    * @returns {Promise<string>} the new version
    */
   async write(path, bytes, known) {
-    const content = /** @type {BodyInit} */ (bytes);
-    const answer = await ask(`programs/own/${escaped(path)}`, {
-      method: 'PUT',
-      body: content,
-      headers: { 'Known-Version': known },
-    });
-    return answer.headers.get('Version') ?? '';
+    return this.#files.own.write(path, bytes, known);
   }
 
   /**
@@ -73,82 +85,72 @@ export class ProgramService {
    * @returns {Promise<string>} the new version
    */
   async writeDraft(path, text, known) {
-    const answer = await ask(`programs/draft/${escaped(path)}`, {
-      method: 'PUT',
-      body: text,
-      headers: { 'Known-Version': known },
-    });
-    return answer.headers.get('Version') ?? '';
+    return this.#files.draft.write(path, text, known);
   }
 
   /** @param {string} path @param {string} known version to remove; any other is kept */
   async removeDraft(path, known) {
-    await ask(`programs/draft/${escaped(path)}`, { method: 'DELETE', headers: { 'Known-Version': known } });
+    await this.#files.draft.remove(path, known);
   }
 
   /** @param {string} path @returns {Promise<Version[]>} its saved versions, oldest first */
   async history(path) {
-    return versionsFrom(await (await ask(`programs/history/${escaped(path)}`)).json());
+    const { bytes } = await this.#histories.read(path);
+    return versionsFrom(JSON.parse(decodeText(bytes).content || '[]'));
   }
 
   /** @param {string} path @param {Version[]} versions */
   async writeHistory(path, versions) {
-    await ask(`programs/history/${escaped(path)}`, { method: 'PUT', body: JSON.stringify(versions) });
+    await this.#histories.write(path, JSON.stringify(versions));
   }
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */
   async check(path, text) {
-    return (await ask(`programs/check/${escaped(path)}`, { method: 'POST', body: text })).json();
+    return (await ask('POST programs/check/PATH', { PATH: path }, { body: text })).json();
   }
 
   /** @param {string} path @param {string} text @param {number} at @returns {Promise<Proposal[]>} */
   async complete(path, text, at) {
-    return (await ask(`programs/complete/${escaped(path)}?at=${at}`, { method: 'POST', body: text })).json();
+    return (await ask('POST programs/complete/PATH', { PATH: path, at }, { body: text })).json();
   }
 
   /** @param {string} path @param {'keep' | 'fresh'} world @returns {Promise<ProgramRun>} */
   async run(path, world) {
-    return (await ask(`programs/run/${escaped(path)}?world=${world}`, { method: 'POST' })).json();
+    return answer('POST programs/run/PATH', { PATH: path, world });
   }
 
   /** @returns {Promise<ProgramRun>} */
   async state() {
-    return (await ask('programs/run')).json();
+    return answer('GET programs/run');
   }
 
   /** @returns {Promise<ProgramRun>} */
   async stop() {
-    return (await ask('programs/run', { method: 'DELETE' })).json();
+    return answer('DELETE programs/run');
   }
 
   /** @returns {Promise<Lesson[]>} */
   async lessons() {
-    return (await (await ask('course')).json()).lessons;
+    return (await answer('GET course')).lessons;
   }
 
   /** Creates the starter program of an exercise. @param {string} lesson @returns {Promise<string>} its path */
   async createStarter(lesson) {
-    return (await ask(`course/${lesson}`, { method: 'PUT' })).json();
+    return answer('PUT course/NAME', { NAME: lesson });
   }
 
   /** @param {string} lesson @param {string} path @param {number} trials @returns {Promise<Attempt>} */
   async attempt(lesson, path, trials) {
-    const how = new URLSearchParams({ program: path, trials: String(trials) });
-    return (await ask(`course/${lesson}?${how}`, { method: 'POST' })).json();
+    return answer('POST course/NAME', { NAME: lesson, program: path, trials });
   }
 
   /** @returns {Promise<Attempt>} */
   async attemptNow() {
-    return (await ask('course/attempt')).json();
+    return answer('GET course/attempt');
   }
 
   /** @returns {Promise<Attempt>} */
   async leaveAttempt() {
-    return (await ask('course/attempt', { method: 'DELETE' })).json();
+    return answer('DELETE course/attempt');
   }
-}
-
-/** @param {string} path */
-function escaped(path) {
-  return path.split('/').map(encodeURIComponent).join('/');
 }

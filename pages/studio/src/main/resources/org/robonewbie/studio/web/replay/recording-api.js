@@ -26,8 +26,7 @@
  * @typedef {import('../state/replay/recorded-run.js').Growth} Growth
  * @typedef {import('../state/replay/recorded-run.js').Summary} Summary
  */
-import { ask } from '../live/server.js';
-import { pathPart } from '../state/path-part.js';
+import { answer, ask } from '../live/server.js';
 
 /**
  * Makes a change, reports any failure, and reloads the list of recordings.
@@ -41,29 +40,28 @@ export async function attempt(change, { note, changed }) {
 }
 
 /** @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
-export const listRecordings = async () => (await ask('recordings')).json();
+export const listRecordings = () => answer('GET recordings');
 
 /** @param {string} name @returns {Promise<RecordingCard>} */
-export const loadCard = async (name) => (await ask(`cards/${pathPart(name)}`)).json();
+export const loadCard = (name) => answer('GET cards/NAME', { NAME: name });
 
 /** @param {string} name @returns {Promise<Growth & Summary>} */
-export const loadIndex = async (name) => (await ask(`index/${pathPart(name)}`)).json();
+export const loadIndex = (name) => answer('GET index/NAME', { NAME: name });
 
 /** @param {string} name @param {number} events @param {number} pieces number already known @returns {Promise<Growth>} */
-export const loadGrowth = async (name, events, pieces) =>
-  (await ask(`index/${pathPart(name)}?events=${events}&pieces=${pieces}`)).json();
+export const loadGrowth = (name, events, pieces) => answer('GET index/NAME', { NAME: name, events, pieces });
 
 /** @param {string} name @param {number} piece @param {number} skip bytes to skip @returns {Promise<Uint8Array>} */
 export async function loadPiece(name, piece, skip) {
-  const answer = await ask(`pieces/${pathPart(name)}?piece=${piece}&skip=${skip}`);
-  return new Uint8Array(await answer.arrayBuffer());
+  const response = await ask('GET pieces/NAME', { NAME: name, piece, skip });
+  return new Uint8Array(await response.arrayBuffer());
 }
 
 /** @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
-export const loadModels = async () => (await ask('models')).json();
+export const loadModels = () => answer('GET models');
 
 /** @param {string} name @returns {Promise<Blob>} the recording as a SimSpark log, gzip-compressed */
-export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob();
+export const loadLog = async (name) => (await ask('GET log/NAME', { NAME: name })).blob();
 
 /**
  * @param {string} name
@@ -71,27 +69,24 @@ export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob
  * @returns {Promise<{lines: string, bytes: number}>} the robots' logs and drawings, one JSON object per line
  */
 export async function loadNotes(name, skip) {
-  const bytes = await (await ask(`notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();
+  const bytes = await (await ask('GET notes/NAME', { NAME: name, skip })).arrayBuffer();
   return { lines: new TextDecoder().decode(bytes), bytes: bytes.byteLength };
 }
 
 /** @param {string} from @param {string} to */
-export const renameRecording = (from, to) =>
-  ask(`recordings/${pathPart(to)}?was=${encodeURIComponent(from)}`, { method: 'PUT' });
+export const renameRecording = (from, to) => ask('PUT recordings/NAME', { NAME: to, was: from });
 
 /** @param {string} name */
-export const deleteRecording = (name) => ask(`recordings/${pathPart(name)}`, { method: 'DELETE' });
+export const deleteRecording = (name) => ask('DELETE recordings/NAME', { NAME: name });
 
 /** @param {string} name */
-export const bringBackRecording = (name) => ask(`recordings/${pathPart(name)}?removed=yes`, { method: 'PUT' });
+export const bringBackRecording = (name) => ask('PUT recordings/NAME', { NAME: name, removed: 'yes' });
 
 /** @param {string} name @param {boolean} on */
-export const starRecording = (name, on) => ask(`stars/${pathPart(name)}`, { method: on ? 'PUT' : 'DELETE' });
+export const starRecording = (name, on) => ask(on ? 'PUT stars/NAME' : 'DELETE stars/NAME', { NAME: name });
 
 /** @param {string} name @param {Bookmark} bookmark */
-export const addBookmark = (name, { seconds, note }) =>
-  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}&note=${encodeURIComponent(note)}`, { method: 'PUT' });
+export const addBookmark = (name, { seconds, note }) => ask('PUT bookmarks/NAME', { NAME: name, seconds, note });
 
 /** @param {string} name @param {number} seconds */
-export const deleteBookmark = (name, seconds) =>
-  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}`, { method: 'DELETE' });
+export const deleteBookmark = (name, seconds) => ask('DELETE bookmarks/NAME', { NAME: name, seconds });
