@@ -56,6 +56,6 @@ export function parametersOf(values) {
 function fetched(request, values, options) {
   const [method] = request.split(' ');
   const path = segmentsOf(request, values).map(pathPart).join('/');
-  const search = new URLSearchParams(parametersOf(values));
-  return fetch(`api/${path}${search.size > 0 ? `?${search}` : ''}`, { ...options, method });
+  const search = String(new URLSearchParams(parametersOf(values)));
+  return fetch(`api/${path}${search && `?${search}`}`, { ...options, method });
 }
