@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 
+from robonewbie.network import Dense
 from robonewbie.simulator import RoboNewbieError
 
 _SIDES = {"LEFT_": "RIGHT_", "RIGHT_": "LEFT_", "leftFoot": "rightFoot", "rightFoot": "leftFoot"}
@@ -15,6 +16,7 @@ _OPPOSITE = re.compile(
     r"|(gyro|torso\.turn)\.(forward|up)"
     r"|(?!gyro|torso\.turn).*\.(left|y|sine|horizontal)"
     r"|command\.(turn|heading)"
+    r"|gait\.cosine"
 )
 
 
@@ -29,3 +31,23 @@ def mirror_of(names: list[str]) -> tuple[np.ndarray, np.ndarray]:
         raise RoboNewbieError(f"The task is not symmetric: {', '.join(sorted(missing))} is missing.")
     signs = [-1 if _OPPOSITE.fullmatch(re.sub(r"@.*", "", name)) else 1 for name in names]
     return np.array([names.index(partner) for partner in partners]), np.array(signs, dtype=np.float32)
+
+
+def symmetric_layers(layers: list[Dense], observation_mirror: tuple, action_mirror: tuple) -> list[Dense]:
+    """Returns the layers of one network for the mean of a network's action and its mirrored action for the mirrored observation.
+
+    The mirrors are indices and signs. Each hidden layer is there twice.
+    """
+    doubled = []
+    for layer in layers:
+        weights, zeros = layer.weights, np.zeros_like(layer.weights)
+        weights = np.block([[weights, zeros], [zeros, weights]]) if doubled else np.concatenate([weights, weights @ _matrix(*observation_mirror)])
+        doubled.append(Dense(weights, np.tile(layer.bias, 2), layer.activation))
+    mirror = _matrix(*action_mirror)
+    mean = np.concatenate([np.identity(len(mirror)), mirror], axis=1) / 2
+    last = doubled.pop()
+    return [*doubled, Dense(mean @ last.weights, mean @ last.bias, last.activation)]
+
+
+def _matrix(indices, signs):
+    return np.identity(len(indices))[indices] * np.asarray(signs)[:, None]

@@ -27,6 +27,7 @@ from pathlib import Path
 import numpy as np
 
 from robonewbie import network, settings
+from robonewbie.mirror import mirror_of, symmetric_layers
 from robonewbie.network import Dense, Gru, LayerNorm
 
 # Stable-Baselines3 seeds environment i with the seed plus i, so neighbouring seeds would share most of their episodes.
@@ -69,23 +70,32 @@ def layers_of(model, normalisation=None, inputs=()):
 
     :raises ValueError: if the network has a module that a policy file cannot express; it is named
     """
-    last = torch_layers([model.policy.action_net])[0]
+    *hidden, last = actor_layers(model.policy)
     if model.policy.squash_output:
         last = Dense(last.weights, last.bias, "tanh")
     else:
         limit = model.action_space.high[0]
         last = Dense(last.weights / limit, last.bias / limit, "cut")
     if normalisation is None:
-        return [*torch_layers(model.policy.mlp_extractor.policy_net), last]
+        return [*hidden, last]
     moments, limit = normalisation.obs_rms, normalisation.clip_obs
     size = len(inputs)
     scale, offset = fold(np.identity(size) / limit, np.zeros(size), moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
-    first, *others = [*torch_layers(model.policy.mlp_extractor.policy_net), last]
+    first, *others = [*hidden, last]
     if isinstance(first, Dense):
         scaled = [Dense(first.weights * limit, first.bias, first.activation)]
     else:
         scaled = [Dense(np.identity(size) * limit, np.zeros(size)), first]
     return [Dense(scale, offset, "cut"), *scaled, *others]
+
+
+def actor_layers(policy):
+    """Returns the layers of the actor of a PPO policy without the limits of observations and actions."""
+    hidden = torch_layers(policy.mlp_extractor.policy_net)
+    mirrors = getattr(policy, "mirrors", None)
+    if mirrors is None:
+        return [*hidden, *torch_layers([policy.action_net])]
+    return symmetric_layers([*hidden, *torch_layers([policy.action_net.linear])], *mirrors)
 
 
 def torch_layers(modules):
@@ -160,6 +170,7 @@ def _arguments(words):
     parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="size of each hidden layer; empty for none (default: 64 64)")
     parser.add_argument("--inputs", default=".*", metavar="REGEX", help="pattern for the names of the policy's inputs (default: all observed quantities)")
     parser.add_argument("--critic", default=".*", metavar="REGEX", help="pattern for the names of the critic's inputs, in addition to the time (default: all observed quantities)")
+    parser.add_argument("--symmetric", action="store_true", help="a policy that treats left and right alike, for tasks that are symmetric")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2 or friction=0.7..1.3")
     parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
     parser.add_argument("--out", type=Path, help="file of the policy (default: TASK.policy)")
@@ -169,6 +180,8 @@ def _arguments(words):
     known = settings.TASKS[task].words if task in settings.TASKS else []
     wanted = parser.parse_args(words, parser.parse_args([task, *known]))
     wanted.options = options_of(wanted.option)
+    if wanted.symmetric and wanted.sde_sample_freq > 0:
+        parser.error("--symmetric has no gSDE. Omit it, or --sde-sample-freq.")
     return wanted
 
 
@@ -179,7 +192,7 @@ class Training:
         from stable_baselines3 import PPO
         from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
-        from robonewbie.critic import Timed, TwoViewsPolicy
+        from robonewbie.critic import Timed
         from robonewbie.sb3 import VecEnv
 
         self.wanted = wanted
@@ -196,7 +209,7 @@ class Training:
             self.model.set_random_seed(SEEDS_APART * wanted.seed + self.model.num_timesteps)
         else:
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
-            self.model = PPO(TwoViewsPolicy, self.normalised, **self._settings())
+            self.model = PPO(self._policy(), self.normalised, **self._settings())
             self._initialise_actor()
         self.first_timestep = self.model.num_timesteps
         self.zero_actions = None  # their mean return, if known
@@ -209,6 +222,20 @@ class Training:
         for name, numbers in policy.mlp_extractor.policy_net.named_parameters():
             if name.endswith("bias"):
                 numbers.data.uniform_(-1, 1)
+
+    def _policy(self):
+        from robonewbie.critic import TwoViewsPolicy
+        from robonewbie.symmetry import SymmetricMoments, SymmetricPolicy
+
+        if not self.wanted.symmetric:
+            return TwoViewsPolicy
+        indices, signs = self.task.observation_mirror
+        self.normalised.obs_rms = SymmetricMoments(np.append(indices, len(indices)), np.append(signs, 1))
+        return SymmetricPolicy
+
+    def _mirrors(self):
+        names = [self.task.observation_names[i] for i in self.inputs]
+        return {"mirrors": (mirror_of(names), self.task.action_mirror)} if self.wanted.symmetric else {}
 
     def _settings(self):
         wanted = self.wanted
@@ -223,6 +250,7 @@ class Training:
                 "critic": [*indices_of(self.task.description, wanted.critic), len(self.task.description["observation"])],
                 "net_arch": {"pi": wanted.net_arch, "vf": wanted.net_arch or [64, 64]},
                 "log_std_init": wanted.log_std_init,
+                **self._mirrors(),
             },
         }
 
@@ -325,7 +353,7 @@ def command_of(wanted, total_timesteps):
         f"--n-steps {wanted.n_steps} --batch-size {wanted.batch_size} --n-epochs {wanted.n_epochs} --learning-rate {wanted.learning_rate:g} "
         f"--gamma {wanted.gamma:g} --gae-lambda {wanted.gae_lambda:g} --log-std-init {wanted.log_std_init:g} "
         f"--sde-sample-freq {wanted.sde_sample_freq} --net-arch {''.join(f'{neurons} ' for neurons in wanted.net_arch)}"
-        f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
+        f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {'--symmetric ' if wanted.symmetric else ''}{''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
     )
 
 

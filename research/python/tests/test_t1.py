@@ -146,7 +146,7 @@ class EnvironmentTest(unittest.TestCase):
 
     def test_mirrored_actions_give_mirrored_observations(self):
         robots = [self._robots(1, 1, Variation.none(1), command=(0.2, side * 0.1, side * 10), restart=False) for side in (1, -1)]
-        indices, signs = mirror.mirror_of_observation()
+        indices, signs = mirror.mirror_of_inputs()
         action_indices, action_signs = mirror.mirror_of_action()
         random = np.random.default_rng(3)
         for one in robots:
@@ -161,7 +161,7 @@ class EnvironmentTest(unittest.TestCase):
             robots[1].step_async(action[:, action_indices] * action_signs)
             (first, reward, *_), (second, mirrored_reward, *_) = (one.step_wait() for one in robots)
 
-            np.testing.assert_allclose(first[:, indices] * signs, second, atol=0.1)
+            np.testing.assert_allclose(first[:, indices] * signs, second[:, : environment.INPUTS], atol=0.1)
             np.testing.assert_allclose(reward, mirrored_reward, atol=0.01)
 
 
@@ -184,9 +184,10 @@ class TrainingTest(unittest.TestCase):
             clipped = observed.clip(-robot.OBSERVATION_LIMIT, robot.OBSERVATION_LIMIT)
             wanted, _ = again.model.predict(clipped, deterministic=True)
             np.testing.assert_allclose(PlayedPolicy(out.read_text("utf-8")).act(observed[:, : environment.INPUTS]), wanted, atol=1e-3)
-            indices, signs = mirror.mirror_of_observation()
+            indices, signs = mirror.mirror_of_inputs()
             action_indices, action_signs = mirror.mirror_of_action()
-            mirrored, _ = again.model.predict(clipped[:, indices] * signs, deterministic=True)
+            clipped[:, : environment.INPUTS] = clipped[:, indices] * signs
+            mirrored, _ = again.model.predict(clipped, deterministic=True)
             np.testing.assert_allclose(mirrored, wanted[:, action_indices] * action_signs, atol=1e-5)
             self.assertEqual(policy_text(again.model, []).count("\ninput "), environment.INPUTS)
             self.assertTrue(out.with_name("walk.policy.csv").exists())

@@ -227,6 +227,26 @@ class TrainTest(unittest.TestCase):
             np.testing.assert_allclose(values[0], wanted, atol=2e-3)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
+    def test_symmetric_policy_does_the_mirrored_action_in_the_mirrored_situation_and_so_does_its_file(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch("sys.stdout", io.StringIO()):
+            out = Path(folder, "my.policy")
+            words = ["Walk", "--n-envs", "4", "--n-steps", "32", "--batch-size", "32", "--net-arch", "8", "4", "--n-eval-episodes", "0", "--out", str(out)]
+            train.main([*words, "--symmetric", "--total-timesteps", "256"])
+            training = train.Training(train._arguments([*words, "--symmetric", "--resume"]))
+            indices, signs = training.task.observation_mirror
+            action_indices, action_signs = training.task.action_mirror
+            training.task.close()
+            seen = np.random.default_rng(1).normal(size=(100, len(indices)))
+            limit = training.task.action_space.high[0]
+            wanted, _ = training.model.predict(training.normalised.normalize_obs(np.column_stack([seen, np.zeros(100)])), deterministic=True)
+
+            played = evaluate.PlayedPolicy(out.read_text(encoding="utf-8"))
+
+            np.testing.assert_allclose(limit * played.act(seen), wanted, atol=2e-3)
+            np.testing.assert_allclose(played.act(signs * seen[:, indices]), action_signs * played.act(seen)[:, action_indices], atol=1e-5)
+            self.assertGreater(np.abs(played.act(seen)).max(), 1e-3)
+
+    @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_policy_file_computes_what_the_network_computes_whatever_its_activations(self):
         from stable_baselines3 import PPO
         from stable_baselines3.common.vec_env import VecNormalize
@@ -248,11 +268,11 @@ class TrainTest(unittest.TestCase):
 
                 text = train.policy_text("Walk", [], [], [], 30, train.layers_of(model, robots, np.arange(size)))
 
-                found = 3 * evaluate.PlayedPolicy(text).act(raw)  # the bound of the action space is 3
+                found = robots.action_space.high[0] * evaluate.PlayedPolicy(text).act(raw)
                 np.testing.assert_allclose(found, wanted, atol=2e-3, err_msg=f"{activation} {squash}")
         plain = PPO("MlpPolicy", robots.venv, seed=1, device="cpu")
         plain.policy.action_net.weight.data *= 30
-        found = 3 * evaluate.PlayedPolicy(train.policy_text("Walk", [], [], [], 30, train.layers_of(plain))).act(raw)
+        found = robots.action_space.high[0] * evaluate.PlayedPolicy(train.policy_text("Walk", [], [], [], 30, train.layers_of(plain))).act(raw)
         np.testing.assert_allclose(found, plain.predict(raw, deterministic=True)[0], atol=2e-3)
         for activation, named in ((nn.LeakyReLU, "LeakyReLU"), (lambda: nn.ELU(alpha=2.0), "ELU")):
             model = PPO("MlpPolicy", robots, policy_kwargs={"activation_fn": activation, "net_arch": [4]}, device="cpu")

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from . import robot
-
 
 def _legs_swapped(first):
     return [*range(first + 6, first + 12), *range(first, first + 6)], [1, -1, -1, 1, 1, -1] * 2
@@ -15,8 +13,8 @@ def mirror_of_action():
     return np.array(indices), np.array(signs, np.float32)
 
 
-def mirror_of_observation():
-    """Returns indices and signs: ``observation[:, indices] * signs`` is what the mirrored robot observes."""
+def mirror_of_inputs():
+    """Returns indices and signs: ``observation[:, indices] * signs`` is what the policy of the mirrored robot observes."""
     indices, signs = list(range(5)), [1, -1, -1, 1, -1]  # up, gyro
     for first in (5, 17, 29):
         swapped = _legs_swapped(first)
@@ -24,7 +22,4 @@ def mirror_of_observation():
         signs += swapped[1]
     indices += range(41, 46)
     signs += [1, -1, -1, -1, -1]  # command, gait
-    critic = [0, 1, 2, 3, 4, 5, 7, 6, 8, 9, 10]
-    indices += [len(robot.INPUTS) + i for i in critic]
-    signs += [1, -1, -1, 1, -1, *[1] * 6]
     return np.array(indices), np.array(signs, np.float32)

@@ -3,8 +3,9 @@
 import numpy as np
 
 from .. import network
-from ..train import torch_layers
-from . import mirror, robot
+from ..network import Dense
+from ..train import actor_layers
+from . import robot
 
 DIGITS = 5
 
@@ -35,25 +36,16 @@ def policy_text(model, about):
 
 
 def _layers(model):
-    """Returns the layers of the symmetric actor as those of one network, in which each hidden layer is there twice."""
-    policy = model.policy
-    first, *others = torch_layers(policy.mlp_extractor.policy_net)
+    """Returns the layers of the actor; the first one clips the observation."""
+    first, *others, last = actor_layers(model.policy)
     limit, count = robot.OBSERVATION_LIMIT, len(robot.INPUTS)
-    swapped = _matrix(*mirror.mirror_of_observation())[:count, :count]
-    layers = [(np.identity(count) / limit, np.zeros(count), "cut")]
-    layers.append((np.concatenate([first.weights, first.weights @ swapped]) * limit, np.tile(first.bias, 2), first.activation))
-    for layer in others:
-        zeros = np.zeros_like(layer.weights)
-        layers.append((np.block([[layer.weights, zeros], [zeros, layer.weights]]), np.tile(layer.bias, 2), layer.activation))
-    (last,) = torch_layers([policy.action_net.linear])
-    swapped = _matrix(*mirror.mirror_of_action())
-    layers.append((np.concatenate([last.weights, swapped @ last.weights], axis=1) / 2, (last.bias + swapped @ last.bias) / 2, "cut"))
-    return [(_rounded(weights), _rounded(bias), activation) for weights, bias, activation in layers]
-
-
-def _matrix(indices, signs):
-    """Returns the matrix of a mirror that is given by indices and signs."""
-    return np.identity(len(indices))[indices] * signs[:, None]
+    layers = [
+        Dense(np.identity(count) / limit, np.zeros(count), "cut"),
+        Dense(first.weights * limit, first.bias, first.activation),
+        *others,
+        Dense(last.weights, last.bias, "cut"),
+    ]
+    return [Dense(_rounded(layer.weights), _rounded(layer.bias), layer.activation) for layer in layers]
 
 
 def _rounded(numbers):

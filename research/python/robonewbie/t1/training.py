@@ -9,10 +9,10 @@ import torch
 from stable_baselines3 import PPO
 from stable_baselines3.common.callbacks import BaseCallback
 
-from . import environment, robot
+from ..symmetry import SymmetricPolicy
+from . import environment, mirror, robot
 from .environment import WalkingRobots
 from .policy import policy_text
-from .symmetry import SymmetricPolicy
 
 SEEDS_APART = 10_000_000
 EASY_ACTIONS = 1_000_000  # until all that varies does so fully
@@ -87,6 +87,7 @@ def settings(seed):
         "device": "cpu",
         "policy_kwargs": {
             "actor": actor,
+            "mirrors": (mirror.mirror_of_inputs(), mirror.mirror_of_action()),
             "critic": list(range(environment.INPUTS + environment.PRIVILEGED)),
             "net_arch": {"pi": [48, 48], "vf": [128, 64]},
             "log_std_init": -1.8,

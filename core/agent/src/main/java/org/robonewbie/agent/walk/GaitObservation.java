@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.Posture;
 
 /**
  * Observation for a policy that moves the legs by itself: what the sensors read, the tilt that a complementary filter estimates from
- * them, the speeds of the leg joints, and the last action, all in units in which they are about -1 to 1.
+ * them, the speeds of the leg joints, the last action, and a clock with the time of a stride, all in units in which they are about -1 to 1.
  *
  * <pre>{@code
  * observation.update(posture, torso, left, right);                  // in each cycle
@@ -36,6 +36,7 @@ public final class GaitObservation {
     private static final double POINT_METRES = 0.1;
     private static final double FORCE_NEWTONS = 50;
     private static final int CYCLES_OF_A_SPEED = 2;
+    private static final int CYCLES_OF_A_STRIDE = 20;
 
     private static final List<Joint> LEGS =
             Stream.of(Leg.LEFT, Leg.RIGHT).flatMap(leg -> leg.joints().stream()).toList();
@@ -43,6 +44,7 @@ public final class GaitObservation {
     /** Names and units of the values. Joint offsets are relative to {@link Stance#POSTURE}. */
     public static final List<Quantity> INPUTS = inputs();
 
+    private int cycles;
     private final Balance balance = new Balance();
     private final Deque<Posture> postures = new ArrayDeque<>();
     private TorsoMotion torso = TorsoMotion.AT_REST;
@@ -64,6 +66,8 @@ public final class GaitObservation {
             add(all, foot + ".force", FORCE_NEWTONS, "N", "up");
         }
         LEGS.forEach(joint -> all.add(new Quantity("action." + joint, "1")));
+        all.add(new Quantity("gait.sine", "1"));
+        all.add(new Quantity("gait.cosine", "1"));
         return List.copyOf(all);
     }
 
@@ -82,6 +86,7 @@ public final class GaitObservation {
      * @param rightFoot pressure on the right sole
      */
     public void update(Posture joints, TorsoMotion torsoMotion, FootPressure leftFoot, FootPressure rightFoot) {
+        cycles++;
         postures.addFirst(joints);
         if (postures.size() > CYCLES_OF_A_SPEED + 1) {
             postures.removeLast();
@@ -112,7 +117,9 @@ public final class GaitObservation {
         }
         next = put(all, next + LEGS.size(), left);
         next = put(all, next, right);
-        put(all, next, action);
+        next = put(all, next, action);
+        double phase = 2 * Math.PI * cycles / CYCLES_OF_A_STRIDE;
+        put(all, next, Math.sin(phase), Math.cos(phase));
         for (int i = 0; i < all.length; i++) {
             all[i] = Math.max(-MAX, Math.min(MAX, all[i]));
         }

@@ -18,7 +18,7 @@ class GaitObservationTest {
     private double[] action = new double[12];
 
     @Test
-    void robotThatStandsStillObservesGravityOnly() {
+    void robotThatStandsStillObservesGravityAndTheClockOnly() {
         see(Stance.POSTURE, TorsoMotion.AT_REST, FootPressure.NONE);
 
         assertThat(observation.values(action)).hasSameSizeAs(GaitObservation.INPUTS.toArray());
@@ -26,7 +26,18 @@ class GaitObservationTest {
         assertThat(Arrays.stream(observation.values(action))
                         .filter(value -> value != 0)
                         .count())
-                .isEqualTo(1);
+                .isEqualTo(3);
+    }
+
+    @Test
+    void clockTakesTwentyCycles() {
+        for (int cycle = 1; cycle <= 25; cycle++) {
+            see(Stance.POSTURE, TorsoMotion.AT_REST, FootPressure.NONE);
+            if (cycle % 20 == 5) {
+                assertThat(value("gait.sine", "1")).isCloseTo(1, within(1e-9));
+                assertThat(value("gait.cosine", "1")).isCloseTo(0, within(1e-9));
+            }
+        }
     }
 
     @Test

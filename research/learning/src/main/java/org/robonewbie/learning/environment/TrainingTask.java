@@ -3,6 +3,7 @@ package org.robonewbie.learning.environment;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
@@ -238,12 +239,15 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return VelocityError.NONE;
     }
 
-    /**
-     * Sets the options that affect a gait. Called before the scene is created. Tasks without a gait reject these options.
-     */
+    /** Sets the options that affect a gait. Called before the scene is created. Tasks without a gait reject these options. */
     void configure(DomainRandomization options) {
+        rejectAllBut(options, Set.of());
+    }
+
+    /** Throws an exception if an option that affects a gait is set, except those that the task knows. */
+    static void rejectAllBut(DomainRandomization options, Set<Name> known) {
         Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.TYPE, Name.SECONDS)
-                .filter(name -> options.range(name).isPresent())
+                .filter(name -> !known.contains(name) && options.range(name).isPresent())
                 .findFirst()
                 .ifPresent(name -> {
                     throw new IllegalArgumentException("This task has no option " + name.word()

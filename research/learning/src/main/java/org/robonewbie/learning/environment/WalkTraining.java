@@ -2,6 +2,8 @@ package org.robonewbie.learning.environment;
 
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.geometry.Angles;
@@ -15,26 +17,28 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Task: walk in a direction up to 10° beside the initial heading. PPO learns it from nothing: the observation is normalised, an action
+ * Task: walk in a direction up to 30° beside the initial heading. PPO learns it from nothing: the observation is normalised, an action
  * lasts 40 ms and moves the joints a little, and each metre pays more than standing does in the time it takes.
  */
 final class WalkTraining extends TrainingTask {
 
-    /** The robot has 18 m ahead of it, and passes the ball. */
-    private static final Scene FREE_WAY = Scene.of(RobotStart.at(-8.5, 3).after(TO_THE_STANCE));
+    /** The robot stands behind the pitch beside the goal, and has 18 m ahead of it. */
+    private static final Scene FREE_WAY =
+            Scene.of(RobotStart.at(-8.5, 3).after(TO_THE_STANCE)).withBall(-8.5, 6);
 
-    private static final double MAX_DEGREES_ASIDE = 10;
+    private static final double MAX_DEGREES_ASIDE = 30;
     private static final double MAX_PUSH_NEWTONS = 8;
     private static final double MAX_HEADING_ERROR_DEGREES = 8;
     private static final int CYCLES_OF_AN_ERROR = 50;
     private static final double GOAL_METRES = 8;
     private static final double METRE_REWARD = 1;
-    private static final double MAX_PAID_METRES_PER_SECOND = 0.6;
     private static final double SECOND_REWARD = 0.1;
     private static final double FALL_PENALTY = 0.5;
     private static final ObservedQuantity HEADING = ObservedQuantity.symmetric("command.heading", "30 degrees", 6);
     private static final double HEADING_UNIT_DEGREES = 30;
 
+    private double maxPaidMetresPerSecond = 0.6;
+    private int longestCycles = 1000;
     private double degreesAside;
     private double headingErrorDegrees;
     private int cycles;
@@ -43,8 +47,15 @@ final class WalkTraining extends TrainingTask {
     private double seconds;
 
     @Override
+    void configure(DomainRandomization options) {
+        rejectAllBut(options, Set.of(Name.SPEED, Name.SECONDS));
+        maxPaidMetresPerSecond = options.of(Name.SPEED, maxPaidMetresPerSecond);
+        longestCycles = (int) Math.round(options.of(Name.SECONDS, longestCycles * Cycle.SECONDS) / Cycle.SECONDS);
+    }
+
+    @Override
     public int longestCycles() {
-        return 1000;
+        return longestCycles;
     }
 
     @Override
@@ -74,19 +85,19 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public double actionLimit() {
-        return 3;
+        return 4.5;
     }
 
     @Override
     public double rangeDegrees() {
-        return 20;
+        return 30;
     }
 
     @Override
     public double rangeDegrees(Joint joint) {
         return switch (joint) {
-            case LEFT_HIP_YAW_PITCH, RIGHT_HIP_YAW_PITCH -> 6;
-            case LEFT_HIP_ROLL, RIGHT_HIP_ROLL, LEFT_FOOT_ROLL, RIGHT_FOOT_ROLL -> 10;
+            case LEFT_HIP_YAW_PITCH, RIGHT_HIP_YAW_PITCH -> 9;
+            case LEFT_HIP_ROLL, RIGHT_HIP_ROLL, LEFT_FOOT_ROLL, RIGHT_FOOT_ROLL -> 15;
             default -> rangeDegrees();
         };
     }
@@ -133,7 +144,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "1 per metre in a direction up to 10 degrees beside the initial heading, up to 0.6 per second, and 0.1 per second; a fall costs 0.5."
+        return "1 per metre in a direction up to 30 degrees beside the initial heading, up to 0.6 per second (option speed), and 0.1 per second; a fall costs 0.5."
                 + " Each second a push of up to 8 N";
     }
 
@@ -144,7 +155,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public double value() {
-        double paid = Math.min(metres, MAX_PAID_METRES_PER_SECOND * seconds);
+        double paid = Math.min(metres, maxPaidMetresPerSecond * seconds);
         return METRE_REWARD * paid + SECOND_REWARD * seconds - (hasFallen() ? FALL_PENALTY : 0);
     }
 }
