@@ -99,12 +99,12 @@ public enum PageRequest {
     private static final String PATH = "PATH";
 
     private final String method;
-    private final List<String> segments;
+    private final String place;
 
     PageRequest(String text) {
-        String[] words = text.split(" ");
-        this.method = words[0];
-        this.segments = List.of(words[1].split("/"));
+        int space = text.indexOf(' ');
+        this.method = text.substring(0, space);
+        this.place = text.substring(space + 1);
     }
 
     /**
@@ -115,6 +115,7 @@ public enum PageRequest {
      * @return whether they fit; a path may fit several requests, the first of which is meant
      */
     public boolean fits(String name, List<String> path) {
+        List<String> segments = List.of(place.split("/", -1));
         boolean isLong = segments.contains(PATH) && path.size() > segments.size();
         if (!method.equals(name) || (path.size() != segments.size() && !isLong)) {
             return false;
@@ -134,6 +135,6 @@ public enum PageRequest {
     /** {@return the method and the path} */
     @Override
     public String toString() {
-        return method + " " + String.join("/", segments);
+        return method + " " + place;
     }
 }
