@@ -39,21 +39,22 @@ public final class ProgramApi extends ApiHandler {
         this.service = compiler.map(given -> new ProgramService(given, arena));
     }
 
-    /** {@return the files of the program editor by the name of their kind; empty in a studio without programs} */
+    /** {@return the files of the program editor by the name of their kind; none of each in a studio without programs} */
     public Map<String, PageFiles> files() {
-        return compiler.map(open -> Map.of(
-                        "program",
-                        folder,
-                        "program-draft",
-                        folder.drafts().orElseThrow(),
-                        "program-history",
-                        ProgramFolder.histories(folder.folder()),
-                        "example",
-                        new ShippedFiles(
-                                "program",
-                                open.examples(),
-                                name -> open.example(name).map(text -> text.getBytes(StandardCharsets.UTF_8)))))
-                .orElse(Map.of());
+        PageFiles none = new ShippedFiles("program", List.of(), name -> Optional.empty());
+        boolean isOpen = compiler.isPresent();
+        return Map.of(
+                "program", isOpen ? folder : none,
+                "program-draft", isOpen ? folder.drafts().orElseThrow() : none,
+                "program-history", isOpen ? ProgramFolder.histories(folder.folder()) : none,
+                "example", compiler.map(ProgramApi::examples).orElse(none));
+    }
+
+    private static PageFiles examples(CompilerService open) {
+        return new ShippedFiles(
+                "program",
+                open.examples(),
+                name -> open.example(name).map(text -> text.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** Stops the running program. */

@@ -37,12 +37,8 @@ export class ProgramService {
 
   /** @returns {Promise<ProgramList>} */
   async list() {
-    const state = await answer('GET programs');
-    if (!state.open) {
-      return { ...state, folder: '', own: [], drafts: [], examples: [] };
-    }
-    const kinds = [this.#files.own, this.#files.draft, this.#files.example];
-    const [own, drafts, examples] = await Promise.all(kinds.map((files) => files.list()));
+    const lists = [this.#files.own, this.#files.draft, this.#files.example].map((files) => files.list());
+    const [state, own, drafts, examples] = await Promise.all([answer('GET programs'), ...lists]);
     return {
       ...state,
       folder: own.folder,
