@@ -160,7 +160,7 @@ class TrainingEnvironmentTest {
 
         assertThat(walk.quantities().get(heading).name()).isEqualTo("command.heading");
         assertThat(degrees)
-                .allMatch(angle -> Math.abs(angle) <= 18.1)
+                .allMatch(angle -> Math.abs(angle) <= 38.1)
                 .anyMatch(angle -> angle > 3)
                 .anyMatch(angle -> angle < -3);
         double first = 30 * walk.observation()[heading];
