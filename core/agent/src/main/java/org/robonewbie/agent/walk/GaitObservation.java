@@ -12,6 +12,7 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Leg;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Posture;
 
 /**
@@ -119,7 +120,7 @@ public final class GaitObservation {
         next = put(all, next, right);
         next = put(all, next, action);
         double phase = 2 * Math.PI * cycles / CYCLES_OF_A_STRIDE;
-        put(all, next, Math.sin(phase), Math.cos(phase));
+        put(all, next, PortableMath.sin(phase), PortableMath.cos(phase));
         for (int i = 0; i < all.length; i++) {
             all[i] = Math.max(-MAX, Math.min(MAX, all[i]));
         }

@@ -22,9 +22,9 @@ import org.robonewbie.trial.measure.Pushes;
  */
 final class WalkTraining extends TrainingTask {
 
-    /** The robot stands behind the pitch beside the goal, and has 18 m ahead of it. */
+    /** The robot walks across the pitch, with 18 m ahead of it and neither ball nor goal in its way. */
     private static final Scene FREE_WAY =
-            Scene.of(RobotStart.at(-8.5, 3).after(TO_THE_STANCE)).withBall(-8.5, 6);
+            Scene.of(RobotStart.at(new Pose2d(0, -9, 90)).after(TO_THE_STANCE)).withBall(8, -8);
 
     private static final double MAX_DEGREES_ASIDE = 30;
     private static final double MAX_PUSH_NEWTONS = 8;

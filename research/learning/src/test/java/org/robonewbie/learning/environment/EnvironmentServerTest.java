@@ -165,7 +165,7 @@ class EnvironmentServerTest {
         assertThat(truth(act(order(2, 1, nothing)), "x")).isEqualTo(first);
         assertThat(text(ask("Cball_x=2".getBytes(StandardCharsets.UTF_8)))).isEqualTo("\0");
         assertThat(truth(act(order(2, 1, nothing)), "ball_x")).isEqualTo(2);
-        assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(0))))).contains("\"ball\":[2.0,6.0,");
+        assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(0))))).contains("\"ball\":[2.0,-8.0,");
         assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(1)))))
                 .isEqualTo("\1Environment 1 does not exist. Valid indices are 0 to 0.");
         assertThat(text(ask("Cball_x=2..1".getBytes(StandardCharsets.UTF_8))))
