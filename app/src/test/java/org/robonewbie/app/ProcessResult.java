@@ -10,7 +10,8 @@ import java.util.concurrent.TimeUnit;
 /** What a process has printed, and how it ended. */
 public record ProcessResult(int code, String printed) {
 
-    private static final int MAX_MINUTES = 5;
+    /** Only a process that hangs takes so long, whatever the load. */
+    private static final int MAX_MINUTES = 15;
 
     /** Runs a process without input to its end. */
     public static ProcessResult of(ProcessBuilder builder) throws Exception {
