@@ -192,8 +192,9 @@ class Training:
         from stable_baselines3 import PPO
         from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
-        from robonewbie.critic import Timed
+        from robonewbie.critic import Timed, TwoViewsPolicy
         from robonewbie.sb3 import VecEnv
+        from robonewbie.symmetry import SymmetricMoments, SymmetricPolicy
 
         self.wanted = wanted
         self.out = wanted.out
@@ -209,7 +210,10 @@ class Training:
             self.model.set_random_seed(SEEDS_APART * wanted.seed + self.model.num_timesteps)
         else:
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
-            self.model = PPO(self._policy(), self.normalised, **self._settings())
+            if wanted.symmetric:
+                indices, signs = self.task.observation_mirror
+                self.normalised.obs_rms = SymmetricMoments(np.append(indices, len(indices)), np.append(signs, 1))
+            self.model = PPO(SymmetricPolicy if wanted.symmetric else TwoViewsPolicy, self.normalised, **self._settings())
             self._initialise_actor()
         self.first_timestep = self.model.num_timesteps
         self.zero_actions = None  # their mean return, if known
@@ -222,16 +226,6 @@ class Training:
         for name, numbers in policy.mlp_extractor.policy_net.named_parameters():
             if name.endswith("bias"):
                 numbers.data.uniform_(-1, 1)
-
-    def _policy(self):
-        from robonewbie.critic import TwoViewsPolicy
-        from robonewbie.symmetry import SymmetricMoments, SymmetricPolicy
-
-        if not self.wanted.symmetric:
-            return TwoViewsPolicy
-        indices, signs = self.task.observation_mirror
-        self.normalised.obs_rms = SymmetricMoments(np.append(indices, len(indices)), np.append(signs, 1))
-        return SymmetricPolicy
 
     def _mirrors(self):
         names = [self.task.observation_names[i] for i in self.inputs]

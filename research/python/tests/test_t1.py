@@ -146,7 +146,10 @@ class EnvironmentTest(unittest.TestCase):
 
     def test_mirrored_actions_give_mirrored_observations(self):
         robots = [self._robots(1, 1, Variation.none(1), command=(0.2, side * 0.1, side * 10), restart=False) for side in (1, -1)]
-        indices, signs = mirror.mirror_of_inputs()
+        inputs, input_signs = mirror.mirror_of_inputs()
+        critic = np.array([0, 1, 2, 3, 4, 5, 7, 6, 8, 9, 10])  # the feet change sides
+        indices = np.append(inputs, environment.INPUTS + critic)
+        signs = np.append(input_signs, [1, -1, -1, 1, -1, *[1] * 6])
         action_indices, action_signs = mirror.mirror_of_action()
         random = np.random.default_rng(3)
         for one in robots:
@@ -161,7 +164,7 @@ class EnvironmentTest(unittest.TestCase):
             robots[1].step_async(action[:, action_indices] * action_signs)
             (first, reward, *_), (second, mirrored_reward, *_) = (one.step_wait() for one in robots)
 
-            np.testing.assert_allclose(first[:, indices] * signs, second[:, : environment.INPUTS], atol=0.1)
+            np.testing.assert_allclose(first[:, indices] * signs, second, atol=0.1)
             np.testing.assert_allclose(reward, mirrored_reward, atol=0.01)
 
 

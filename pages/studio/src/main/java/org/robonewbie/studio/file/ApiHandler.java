@@ -2,7 +2,6 @@ package org.robonewbie.studio.file;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -58,12 +57,12 @@ public abstract class ApiHandler extends Handler.Abstract {
      * Explains why a file in a folder cannot be accessed.
      *
      * @param what subject of the sentence, such as {@code The scene}
-     * @param folder the folder
+     * @param folder the folder, such as {@code its folder}
      * @param problem the problem
      * @return what failed and what to check
      */
-    protected static String explain(String what, Path folder, IOException problem) {
-        return what + " cannot be read or written: " + problem.getMessage() + ". Check that the folder " + folder
+    protected static String explain(String what, String folder, IOException problem) {
+        return what + " cannot be read or written: " + problem.getMessage() + ". Check that " + folder
                 + " is writable and that there is free disk space.";
     }
 

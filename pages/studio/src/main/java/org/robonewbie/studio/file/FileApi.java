@@ -48,8 +48,7 @@ public final class FileApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return "The file cannot be read or written: " + problem.getMessage()
-                + ". Check its folder and the free disk space.";
+        return explain("The file", "its folder", problem);
     }
 
     private static RefusedException missing(PageFiles files, String path) {

@@ -61,7 +61,7 @@ public final class MotionApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return explain("The file", folder, problem);
+        return explain("The file", "the folder " + folder, problem);
     }
 
     private static String trial(Request request) throws IOException {

@@ -95,7 +95,7 @@ public final class ProgramApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return explain("The file", folder.folder(), problem);
+        return explain("The file", "the folder " + folder.folder(), problem);
     }
 
     private static <T> T found(Optional<T> content, String name) {

@@ -38,12 +38,10 @@ class ProgramFolder extends PageFolder {
             "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + MAX_DEPTH + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
     private final String suffix;
-    private final boolean isProject;
 
     private ProgramFolder(Path folder, int maxBytes, Optional<PageFolder> drafts, String suffix) {
         super(folder, maxBytes, drafts);
         this.suffix = suffix;
-        this.isProject = drafts.isPresent();
     }
 
     /** Returns the programs in a folder. */
@@ -70,7 +68,7 @@ class ProgramFolder extends PageFolder {
     /** Returns all files in alphabetical order; of a project, those directly in the folder first. */
     @Override
     public Listing list() throws IOException {
-        Stream<String> paths = isProject
+        Stream<String> paths = drafts().isPresent()
                 ? Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), MAX_DEPTH).stream())
                 : paths(folder(), MAX_DEPTH + 1).stream();
         return new Listing(folder().toString(), entries(paths), List.of());

@@ -76,8 +76,7 @@ public final class ReplayApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return "The recording cannot be read or written: " + problem.getMessage()
-                + ". Check that its folder is writable and that there is free disk space.";
+        return explain("The recording", "its folder", problem);
     }
 
     private static byte[] log(Path recording) throws IOException {

@@ -61,7 +61,7 @@ public final class SceneApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return explain("The scene", folder, problem);
+        return explain("The scene", "the folder " + folder, problem);
     }
 
     private String start(String name, long moment) throws IOException {

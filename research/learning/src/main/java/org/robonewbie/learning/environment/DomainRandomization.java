@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -251,6 +252,13 @@ public final class DomainRandomization {
     /** Returns the value of an option that takes a single number; {@code defaultValue} if the option is not set. */
     double of(Name name, double defaultValue) {
         return range(name).map(Range::low).orElse(defaultValue);
+    }
+
+    /** Returns the cycles of the option {@code seconds}, or the usual ones. */
+    int longestCycles(int usual) {
+        return range(Name.SECONDS)
+                .map(seconds -> (int) Math.round(seconds.low() / Cycle.SECONDS))
+                .orElse(usual);
     }
 
     /**

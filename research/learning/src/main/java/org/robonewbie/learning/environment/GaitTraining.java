@@ -112,7 +112,7 @@ final class GaitTraining extends CommandedTraining {
         slowShare = options.of(Name.SLOW, slowShare);
         toleratedMetresPerSecond = options.of(Name.TOLERANCE, toleratedMetresPerSecond);
         constantShare = options.of(Name.CONSTANT, constantShare);
-        longestCycles = (int) Math.round(options.of(Name.SECONDS, longestCycles * Cycle.SECONDS) / Cycle.SECONDS);
+        longestCycles = options.longestCycles(longestCycles);
         types = options.range(Name.TYPE).orElse(types);
     }
 

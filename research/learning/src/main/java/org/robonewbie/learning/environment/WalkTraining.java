@@ -50,7 +50,7 @@ final class WalkTraining extends TrainingTask {
     void configure(DomainRandomization options) {
         rejectAllBut(options, Set.of(Name.SPEED, Name.SECONDS));
         maxPaidMetresPerSecond = options.of(Name.SPEED, maxPaidMetresPerSecond);
-        longestCycles = (int) Math.round(options.of(Name.SECONDS, longestCycles * Cycle.SECONDS) / Cycle.SECONDS);
+        longestCycles = options.longestCycles(longestCycles);
     }
 
     @Override

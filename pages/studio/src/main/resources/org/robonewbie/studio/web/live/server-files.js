@@ -1,5 +1,5 @@
 /** Client for files of one kind on the studio's server. */
-import { ask } from './server.js';
+import { answer, ask } from './server.js';
 
 /**
  * @typedef {{path: string, version: string}} ListedFile
@@ -17,13 +17,13 @@ export class ServerFiles {
 
   /** @returns {Promise<FileList>} */
   async list() {
-    return (await ask('GET files/KIND', { KIND: this.kind })).json();
+    return answer('GET files/KIND', { KIND: this.kind });
   }
 
   /** @param {string} path @returns {Promise<{bytes: Uint8Array<ArrayBuffer>, version: string}>} */
   async read(path) {
-    const answer = await ask('GET files/KIND/PATH', this.#place(path));
-    return { bytes: new Uint8Array(await answer.arrayBuffer()), version: answer.headers.get('Version') ?? '' };
+    const response = await ask('GET files/KIND/PATH', this.#place(path));
+    return { bytes: new Uint8Array(await response.arrayBuffer()), version: response.headers.get('Version') ?? '' };
   }
 
   /**
@@ -34,8 +34,8 @@ export class ServerFiles {
    */
   async write(path, content, known) {
     const body = /** @type {BodyInit} */ (content);
-    const answer = await ask('PUT files/KIND/PATH', this.#place(path), { body, headers: head(known) });
-    return answer.headers.get('Version') ?? '';
+    const response = await ask('PUT files/KIND/PATH', this.#place(path), { body, headers: head(known) });
+    return response.headers.get('Version') ?? '';
   }
 
   /** @param {string} path @param {string} [known] version to remove; any other is kept */

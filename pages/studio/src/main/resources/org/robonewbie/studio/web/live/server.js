@@ -27,9 +27,14 @@ export async function ask(request, values = {}, options = {}) {
   return response;
 }
 
-/** @param {PageRequest} request @param {Values} [values] @returns {Promise<any>} the JSON of the answer to {@link ask} */
-export async function answer(request, values) {
-  return (await ask(request, values)).json();
+/**
+ * @param {PageRequest} request
+ * @param {Values} [values]
+ * @param {RequestInit} [options]
+ * @returns {Promise<any>} the JSON of the answer to {@link ask}
+ */
+export async function answer(request, values, options) {
+  return (await ask(request, values, options)).json();
 }
 
 /** @param {Service} other answers all requests of this page from now on */

@@ -1,5 +1,5 @@
 /** Client for the motion files on the studio's server. */
-import { ask } from '../live/server.js';
+import { answer } from '../live/server.js';
 import { ServerFiles } from '../live/server-files.js';
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { bodyOf } from '../state/motion/body.js';
@@ -37,8 +37,7 @@ export class MotionFiles {
     if (known) {
       return known;
     }
-    const answer = await (robot === NAO ? ask('GET robot') : ask('GET robot/NAME', { NAME: robot }));
-    const body = bodyOf(await answer.json());
+    const body = bodyOf(await (robot === NAO ? answer('GET robot') : answer('GET robot/NAME', { NAME: robot })));
     this.#bodies.set(robot, body);
     return body;
   }
@@ -111,6 +110,6 @@ export class MotionFiles {
    */
   async trial(document, start) {
     const body = encode({ ...document, ...UTF_8 });
-    return (await ask('POST trial', {}, { body, headers: { Start: start } })).json();
+    return answer('POST trial', {}, { body, headers: { Start: start } });
   }
 }

@@ -102,12 +102,12 @@ export class ProgramService {
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */
   async check(path, text) {
-    return (await ask('POST programs/check/PATH', { PATH: path }, { body: text })).json();
+    return answer('POST programs/check/PATH', { PATH: path }, { body: text });
   }
 
   /** @param {string} path @param {string} text @param {number} at @returns {Promise<Proposal[]>} */
   async complete(path, text, at) {
-    return (await ask('POST programs/complete/PATH', { PATH: path, at }, { body: text })).json();
+    return answer('POST programs/complete/PATH', { PATH: path, at }, { body: text });
   }
 
   /** @param {string} path @param {'keep' | 'fresh'} world @returns {Promise<ProgramRun>} */
