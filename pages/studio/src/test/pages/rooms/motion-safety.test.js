@@ -60,7 +60,7 @@ slow('a change made while another motion is being opened stays with the motion t
 function holdBackTheOther() {
   const ask = window.fetch;
   window.fetch = async (...request) => {
-    if (!window.answer && /motions\/other$/.test(String(request[0]))) {
+    if (!window.answer && /files\/motion\/other$/.test(String(request[0]))) {
       await new Promise((answer) => Object.assign(window, { answer }));
     }
     return ask(...request);
