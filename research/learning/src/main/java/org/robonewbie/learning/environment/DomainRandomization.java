@@ -77,6 +77,7 @@ public final class DomainRandomization {
         SLOW("in gait tasks: share of the later commands that slow down", 0, 1),
         TOLERANCE("in gait tasks: velocity error at which the reward is 0, m/s", 0.01, MAX),
         CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
+        FLIGHT("in gait tasks: cost of a second without a foot on the ground (0)", 0, MAX),
         TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4, true),
         SECONDS("in gait tasks and Walk: duration of an episode, seconds (9, in Walk 20)", 0.02, MAX),
         STRENGTH("factor for the maximum torque of the motors (1), drawn for each joint", 0.01, 100),

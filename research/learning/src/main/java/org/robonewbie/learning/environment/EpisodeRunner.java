@@ -160,13 +160,14 @@ final class EpisodeRunner implements Controller {
     /** Adds the reward for a cycle and updates the observation. */
     void see(WorldState now, SensorReadings readings) {
         double before = value;
+        perceived = perception.observe(readings);
+        task.feel(Perception.leftFoot(perceived), Perception.rightFoot(perceived));
         task.see(now);
         if (measure != task) {
             measure.see(now);
         }
         value = measure.isLargerBetter() ? measure.value() : -measure.value();
         reward += value - before;
-        perceived = perception.observe(readings);
         for (int i = 0; i < NOISY_READINGS && noiseSigma > 0; i++) {
             perceived[i] += noiseSigma * noise.nextGaussian();
         }

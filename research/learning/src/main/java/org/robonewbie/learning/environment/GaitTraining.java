@@ -3,6 +3,7 @@ package org.robonewbie.learning.environment;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.WalkVelocity;
@@ -41,6 +42,7 @@ final class GaitTraining extends CommandedTraining {
     private double slowShare;
     private double toleratedMetresPerSecond;
     private double constantShare = 0.4;
+    private double flightCost;
     private int longestCycles = 450;
     private Range types = new Range(0, 0);
     private Optional<Policy> policy = Optional.empty();
@@ -112,6 +114,7 @@ final class GaitTraining extends CommandedTraining {
         slowShare = options.of(Name.SLOW, slowShare);
         toleratedMetresPerSecond = options.of(Name.TOLERANCE, toleratedMetresPerSecond);
         constantShare = options.of(Name.CONSTANT, constantShare);
+        flightCost = options.of(Name.FLIGHT, flightCost);
         longestCycles = options.longestCycles(longestCycles);
         types = options.range(Name.TYPE).orElse(types);
     }
@@ -243,6 +246,13 @@ final class GaitTraining extends CommandedTraining {
     @Override
     protected WalkVelocity velocity() {
         return command;
+    }
+
+    @Override
+    void feel(FootPressure left, FootPressure right) {
+        if (!hasFallen() && !left.isTouching() && !right.isTouching()) {
+            totalReward -= flightCost * Cycle.SECONDS;
+        }
     }
 
     @Override

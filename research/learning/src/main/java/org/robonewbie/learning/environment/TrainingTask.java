@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.walk.GaitObservation;
@@ -244,9 +245,12 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         rejectAllBut(options, Set.of());
     }
 
+    /** Receives the pressure on the soles in each cycle, before the task sees the world. Most tasks ignore it. */
+    void feel(FootPressure left, FootPressure right) {}
+
     /** Throws an exception if an option that affects a gait is set, except those that the task knows. */
     static void rejectAllBut(DomainRandomization options, Set<Name> known) {
-        Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.TYPE, Name.SECONDS)
+        Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.FLIGHT, Name.TYPE, Name.SECONDS)
                 .filter(name -> !known.contains(name) && options.range(name).isPresent())
                 .findFirst()
                 .ifPresent(name -> {

@@ -151,7 +151,7 @@ class EnvironmentServerTest {
                 .isEqualTo(
                         "\1There is no option \"velocity\". Available: reward, x, y, heading, ball_x, ball_y, push,"
                                 + " delay, cycles, noise, friction, mass, forward, left, turn, distance, speed, step,"
-                                + " slow, tolerance, constant, type, seconds, strength, sole_friction, com_forward, com_left, jitter, history, speeds, true_state.");
+                                + " slow, tolerance, constant, flight, type, seconds, strength, sole_friction, com_forward, com_left, jitter, history, speeds, true_state.");
     }
 
     @Test

@@ -303,6 +303,20 @@ class TrainingEnvironmentTest {
         assertThat(away.task().value()).isLessThan(ahead.task().value() / 2);
     }
 
+    @Test
+    void secondsWithoutAFootOnTheGroundCostWhatTheOptionSays() {
+        double free = returnOf(environment("RunGait", "forward=1.2"));
+
+        double cyclesInTheAir = (free - returnOf(environment("RunGait", "forward=1.2", "flight=10"))) / (10 * 0.02);
+
+        assertThat(cyclesInTheAir).isBetween(1.0, 59.0).isCloseTo(Math.rint(cyclesInTheAir), within(1e-6));
+    }
+
+    private static double returnOf(TrainingEnvironment environment) {
+        environment.reset(1);
+        return IntStream.range(0, 60).mapToDouble(i -> reward(environment)).sum();
+    }
+
     private static TrainingEnvironment walking(String degreesPerSecond) {
         TrainingEnvironment walk = environment("EngineFollow", "forward=0.5", "turn=" + degreesPerSecond);
         walk.reset(1);
