@@ -5,7 +5,7 @@ const LIST = 'files.json';
 const SCOPE = self.registration.scope;
 const OURS = `robonewbie ${new URL(SCOPE).pathname} `;
 /** Large or rarely used files: cached on first use. */
-const ON_DEMAND = /\/(compiler|docs|examples|programs|project|vendor\/codemirror)\//;
+const ON_DEMAND = /\/(compiler|docs|programs|project|vendor\/codemirror)\//;
 
 /** @returns {Promise<{cacheName: string, files: string[]}>} */
 async function list() {

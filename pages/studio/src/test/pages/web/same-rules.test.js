@@ -42,6 +42,8 @@ const REQUESTS = [
   write('example', 'Agent_Wave', PROGRAM, ''),
   ['GET programs/new/PATH', { PATH: 'Ada.java', example: 'Agent_Wave' }],
   ['GET programs/new/PATH', { PATH: 'Ada.java', example: 'Agent_Nobody' }],
+  ['GET programs/new/PATH', { PATH: 'Ada$1.java', example: 'Agent_BetterSoccer' }],
+  ['GET programs/new/PATH', { PATH: 'Ada.java' }],
   read('program-history', 'Ada.java'),
   write('program-history', 'Ada.java', '["a"]'),
   write('program-history', 'Ada.java', '["b"]'),

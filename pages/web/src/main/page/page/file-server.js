@@ -4,18 +4,6 @@ import { composedName, nameProblem } from '../state/file-name.js';
 import { isProgramPath } from '../state/program/documents.js';
 import { asBytes, asText, BrowserRepository, bytesOf, versionOf } from './browser-repository.js';
 
-const EXAMPLES = [
-  'Agent_Wave',
-  'Agent_BasicStructure',
-  'Agent_Dance',
-  'Agent_SmoothDance',
-  'Agent_SimpleWalkToBall',
-  'Agent_SimpleSoccer',
-  'Agent_Reactive',
-  'Agent_OwnWorldModel',
-  'Agent_BetterSoccer',
-];
-
 /** @typedef {import('../live/server-files.js').ListedFile} ListedFile */
 
 /**
@@ -31,9 +19,6 @@ const refuse = () => new Response('This file cannot be changed here.', { status:
 
 /** Files that cannot be changed. */
 const READ_ONLY = { write: refuse, remove: refuse, refusal: () => '' };
-
-/** @param {string} name @returns {string} address of an example's source */
-export const exampleAt = (name) => `examples/${name}.java`;
 
 /** @param {string} path */
 const programRefusal = (path) =>
@@ -79,7 +64,7 @@ export class FileServer {
       ...this.#programKinds,
       motion: this.#motionKind(this.#motions, ''),
       'motion-draft': this.#motionKind(new BrowserRepository('robonewbie-page-motion-draft:'), null),
-      'motion-library': { ...READ_ONLY, list: libraryList, read: (name) => shipped(`library/${name}.txt`) },
+      'motion-library': { ...READ_ONLY, list: () => listed('library'), read: (name) => shipped(`library/${name}.txt`) },
       postures: this.#motionKind(new BrowserRepository('robonewbie-page-postures:'), null, ''),
     };
   }
@@ -124,8 +109,8 @@ export class FileServer {
       },
       example: {
         ...READ_ONLY,
-        list: () => EXAMPLES.map((path) => ({ path, version: '' })),
-        read: (name) => shipped(exampleAt(name)),
+        list: () => listed('examples'),
+        read: (name) => shipped(`examples/${name}.java`),
       },
     };
   }
@@ -184,9 +169,9 @@ export class FileServer {
 /** @param {RequestInit} options */
 const knownVersion = ({ headers }) => new Headers(headers).get('Known-Version');
 
-/** @returns {Promise<ListedFile[]>} */
-async function libraryList() {
-  const index = decoded(await bytesOf(await fetch('library/index')));
+/** @param {string} folder @returns {Promise<ListedFile[]>} the files in its index */
+async function listed(folder) {
+  const index = decoded(await bytesOf(await fetch(`${folder}/index`)));
   return index
     .split('\n')
     .filter(Boolean)

@@ -9,7 +9,7 @@ import { insteadOfMissing, missingClasses } from './missing-classes.js';
  */
 
 /** Folders cached for offline use once the user starts programming. */
-const FOR_PROGRAMS = ['compiler/', 'programs/', 'examples/', 'vendor/codemirror/'];
+const FOR_PROGRAMS = ['compiler/', 'programs/', 'vendor/codemirror/'];
 
 export class PageCompiler {
   /** @type {Worker | undefined} */

@@ -1,7 +1,6 @@
 /** Local replacement for the program server: the user's files, the compiler of the page, and the running program. */
 import { decodeText } from '../state/decoded-text.js';
 import { bytesOf } from './browser-repository.js';
-import { exampleAt } from './file-server.js';
 import { insteadOfMissing } from './missing-classes.js';
 import { publicClass } from './project.js';
 
@@ -9,19 +8,14 @@ import { publicClass } from './project.js';
 
 const SEED = 1;
 
+/** Name of the class in the templates of new programs; that of the Java class ExampleSources, which has written them. */
+const TEMPLATE = 'NewProgram';
+
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
 /** @param {RequestInit} options @returns {Promise<string>} the text in the body of a request */
 const textOf = async (options) => decodeText(await bytesOf(options)).content;
-
-/** @param {Response} answer @param {string} name @returns {Promise<Response>} an example as the user's program */
-async function renamed(answer, name) {
-  const text = await answer.text();
-  const [, old = name] = /public (?:final )?class (\w+)/.exec(text) ?? [];
-  const own = text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
-  return new Response(own, { status: answer.status });
-}
 
 export class ProgramServer {
   #repository;
@@ -65,7 +59,7 @@ export class ProgramServer {
   get parts() {
     return /** @satisfies {Record<string, import('./page-server.js').Part>} */ ({
       'GET programs': () => Response.json({ open: true, shared: this.#repository.shared }),
-      'GET programs/new/PATH': async ({ PATH, example }) => renamed(await template(example), className(PATH)),
+      'GET programs/new/PATH': ({ PATH, example }) => newProgram(example, className(PATH)),
       'POST programs/check/PATH': async ({ PATH }, options) =>
         Response.json((await this.#compile(PATH, await textOf(options))).remarks),
       'POST programs/complete/PATH': async ({ PATH, at }, options) =>
@@ -126,8 +120,10 @@ export class ProgramServer {
   }
 }
 
-/** @param {string | null} name name of an example; null or empty for a minimal program @returns {Promise<Response>} its source */
-async function template(name) {
-  const answer = await fetch(name ? exampleAt(name) : 'examples/NewProgram.java.txt');
-  return answer.ok ? answer : new Response(`There is no program "${name}".`, { status: 404 });
+/** @param {string | null} example null or empty for the shortest program @param {string} name @returns {Promise<Response>} the source of a new program */
+async function newProgram(example, name) {
+  const template = await fetch(`examples/new/${example || TEMPLATE}.java`);
+  return template.ok
+    ? new Response((await template.text()).replaceAll(TEMPLATE, () => name))
+    : new Response(`There is no program "${example}".`, { status: 404 });
 }

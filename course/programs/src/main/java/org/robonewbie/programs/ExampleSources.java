@@ -13,7 +13,8 @@ import java.util.SortedMap;
 /** Source code of the examples, and templates for new programs. */
 public final class ExampleSources {
 
-    private static final String TEMPLATE = "NewProgram";
+    /** Name of the class in the {@linkplain #template templates}. */
+    public static final String TEMPLATE = "NewProgram";
 
     private final SortedMap<String, String> classNames = ExampleCatalogue.classNames();
 
@@ -46,12 +47,21 @@ public final class ExampleSources {
      */
     public String startingWith(Path file, Optional<String> example) {
         String name = String.valueOf(file.getFileName()).replace(".java", "");
-        String text = example.map(given -> renamed(given, name))
-                .orElseGet(() -> template().replace(TEMPLATE, name));
+        String text = template(example).replace(TEMPLATE, name);
         return packageOf(file).map(own -> "package " + own + ";\n\n" + text).orElse(text);
     }
 
-    private static String template() {
+    /**
+     * Returns the template of new programs.
+     *
+     * @param example source code of an example; empty for the shortest program that moves a robot
+     * @return source code without a package, whose class is named {@link #TEMPLATE}
+     */
+    public String template(Optional<String> example) {
+        return example.map(this::renamed).orElseGet(ExampleSources::shortest);
+    }
+
+    private static String shortest() {
         try (InputStream stream = Objects.requireNonNull(
                 ExampleSources.class.getResourceAsStream(TEMPLATE + ".java.txt"), "There is no file " + TEMPLATE)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
@@ -60,12 +70,12 @@ public final class ExampleSources {
         }
     }
 
-    private String renamed(String example, String name) {
+    private String renamed(String example) {
         String text = example.replaceFirst("(?m)^package [\\w.]+;\\s*", "");
         Optional<String> old = classNames.keySet().stream()
                 .filter(each -> text.contains("class " + each + " "))
                 .findFirst();
-        return old.map(each -> text.replaceAll("\\b" + each + "\\b", name)).orElse(text);
+        return old.map(each -> text.replaceAll("\\b" + each + "\\b", TEMPLATE)).orElse(text);
     }
 
     /** Returns the package of a file in a Maven project. */
