@@ -66,7 +66,7 @@ const REQUESTS = [
   ['POST trial', {}, { body: 'nonsense' }],
 ];
 
-/** Sends the requests from the page, and returns status and text of each answer. */
+/** Sends the requests from the page, and returns status and text of each answer, and why a name is refused. */
 async function answers({ user }) {
   user.expectsComplaints(/Failed to load resource/);
   return user.page.evaluate(
@@ -81,8 +81,9 @@ async function answers({ user }) {
           const answer = await ask(request, values, { body, headers });
           version = answer.headers.get('Version') ?? version;
           seen.push(`${name}: 200 ${(await answer.text()).slice(0, 300)}`);
-        } catch ({ status }) {
-          seen.push(`${name}: ${status}`);
+        } catch ({ status, message }) {
+          // The address of a request contains look-alikes of the dots of "..".
+          seen.push(`${name}: ${status} ${status === 400 ? message.replaceAll('\u2024', '.') : ''}`);
         }
       }
       return seen;

@@ -1,7 +1,6 @@
 /** Local replacement for the file server: the user's files, which this browser stores, and those that are part of the page. */
 import { decodeText } from '../state/decoded-text.js';
-import { composedName, nameProblem } from '../state/file-name.js';
-import { isProgramPath } from '../state/program/documents.js';
+import { composedName, isProgramPath, nameProblem } from '../state/file-name.js';
 import { asBytes, asText, BrowserRepository, bytesOf, versionOf } from './browser-repository.js';
 
 /** @typedef {import('../live/server-files.js').ListedFile} ListedFile */

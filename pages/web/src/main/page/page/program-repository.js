@@ -1,5 +1,6 @@
 /** The user's programs and their unsaved drafts. */
-import { freeName, isProgramPath } from '../state/program/documents.js';
+import { isProgramPath } from '../state/file-name.js';
+import { freeName } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
 import { BrowserRepository } from './browser-repository.js';
 

@@ -1,12 +1,13 @@
 package org.robonewbie.nao.text;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Checks whether file names, in any script, are valid on Windows, macOS and Linux. The studio's pages implement the
- * same rules in {@code state/file-name.js}.
+ * Checks whether file names, in any script, are valid on Windows, macOS and Linux.
  *
  * <pre>{@code
  * FileName.problem("grüßen");   // empty
@@ -19,29 +20,53 @@ public final class FileName {
     public static final int MAX_CHARACTERS = 80;
 
     /** Path separators, characters that Windows rejects, and the escape character of URLs. */
-    private static final String RESERVED = "/\\:*?\"<>|%";
+    private static final String RESERVED = "[/\\\\:*?\"<>|%]";
+
+    private static final String CONTROL = "\\p{Cc}";
 
     /** Spaces that look like an ordinary one. The ideographic space is valid, because Japanese keyboards produce it. */
-    private static final String OTHER_SPACES =
-            "\u00A0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200A\u202F\u205F";
+    private static final String OTHER_SPACES = "[\\u00A0\\u1680\\u2000-\\u200A\\u202F\\u205F]";
 
-    private static final String INVISIBLE = "\u00AD\u061C\u180E\u200B\u200E\u200F\uFEFF\uFFF9\uFFFA\uFFFB\uFFFE\uFFFF";
+    private static final String INVISIBLE =
+            "[\\u00AD\\u061C\\u180E\\u200B\\u200E\\u200F\\u2028-\\u202E\\u2060-\\u206F\\uFEFF\\uFFF9-\\uFFFB\\uFFFE\\uFFFF]";
+
+    private static final String UNPAIRED = "\\p{Cs}";
 
     /** Device names on Windows, with any extension. */
-    private static final Pattern DEVICE =
-            Pattern.compile("(con|prn|aux|nul|(com|lpt)[0-9\u00b9\u00b2\u00b3]) *(\\..*)?");
+    private static final String DEVICE = "^(?:con|prn|aux|nul|(?:com|lpt)[0-9\\u00B9\\u00B2\\u00B3]) *(?:\\..*)?$";
 
-    private FileName() {}
+    /** Matches an invalid character. */
+    public static final Pattern INVALID =
+            Pattern.compile(String.join("|", RESERVED, CONTROL, OTHER_SPACES, INVISIBLE, UNPAIRED));
+
+    /** Problems of the first invalid character of a name, or of a name without one; the first that fits is meant. */
+    public static final List<Problem> PROBLEMS = List.of(
+            Problem.of(RESERVED, "contains \"SIGN\""),
+            Problem.of(CONTROL, "contains the control character CODE"),
+            Problem.of(OTHER_SPACES, "contains the space character CODE instead of an ordinary space"),
+            Problem.of(INVISIBLE, "contains the invisible character CODE"),
+            Problem.of(UNPAIRED, "contains the unpaired surrogate CODE"),
+            Problem.of("^$", "is empty"),
+            Problem.of("^\\.", "begins with a dot"),
+            Problem.of("^ ", "begins with a space"),
+            Problem.of("\\.$", "ends with a dot"),
+            Problem.of(" $", "ends with a space"),
+            Problem.of(DEVICE, "is the name of a device on Windows"));
 
     /**
-     * Returns whether Windows accepts and preserves a name.
+     * A problem of names. The pages of the studio use the same pattern in JavaScript.
      *
-     * @param name a name without folder, with or without extension
-     * @return false for the name of a device, and for a trailing space or dot, which Windows drops
+     * @param pattern matches what has the problem
+     * @param words the problem, phrased to follow the name; SIGN stands for the invalid character, and CODE for its code
      */
-    public static boolean isPortable(String name) {
-        return !DEVICE.matcher(name.toLowerCase(Locale.ROOT)).matches() && !name.endsWith(".") && !name.endsWith(" ");
+    public record Problem(Pattern pattern, String words) {
+
+        private static Problem of(String pattern, String words) {
+            return new Problem(Pattern.compile(pattern, Pattern.CASE_INSENSITIVE), words);
+        }
     }
+
+    private FileName() {}
 
     /**
      * Returns whether a name is short and plain.
@@ -49,15 +74,14 @@ public final class FileName {
      * @param name a name without folder or extension
      * @param signs valid characters besides letters and digits
      * @param maxCharacters maximum length
-     * @return whether it begins with a letter or digit, contains only letters, digits and the given characters, and is
-     *     {@linkplain #isPortable portable}
+     * @return whether it begins with a letter or digit, contains only letters, digits and the given characters, and has
+     *     no {@linkplain #problem problem}
      */
     public static boolean isPlain(String name, String signs, int maxCharacters) {
-        return !name.isEmpty()
+        return problem(name).isEmpty()
                 && name.length() <= maxCharacters
                 && isLetterOrNumber(name.codePointAt(0))
-                && name.codePoints().allMatch(each -> isLetterOrNumber(each) || signs.indexOf(each) >= 0)
-                && isPortable(name);
+                && name.codePoints().allMatch(each -> isLetterOrNumber(each) || signs.indexOf(each) >= 0);
     }
 
     private static boolean isLetterOrNumber(int character) {
@@ -74,60 +98,16 @@ public final class FileName {
      *     valid
      */
     public static Optional<String> problem(String name) {
-        if (name.isEmpty()) {
-            return Optional.of("is empty");
-        }
         if (name.length() > MAX_CHARACTERS) {
             return Optional.of("has " + name.length() + " characters, more than the " + MAX_CHARACTERS + " allowed");
         }
-        for (int i = 0; i < name.length(); i++) {
-            String wrong = problem(name, i);
-            if (!wrong.isEmpty()) {
-                return Optional.of("contains " + wrong);
-            }
-        }
-        if (name.startsWith(".") || name.startsWith(" ")) {
-            return Optional.of("begins with a " + signName(name.charAt(0)));
-        }
-        if (name.endsWith(".") || name.endsWith(" ")) {
-            return Optional.of("ends with a " + signName(name.charAt(name.length() - 1)));
-        }
-        return isPortable(name) ? Optional.empty() : Optional.of("is the name of a device on Windows");
-    }
-
-    private static String signName(char sign) {
-        return sign == '.' ? "dot" : "space";
-    }
-
-    /** Returns the problem with a character of a name; empty if it is valid. */
-    private static String problem(String name, int at) {
-        char character = name.charAt(at);
-        if (RESERVED.indexOf(character) >= 0) {
-            return "\"" + character + "\"";
-        }
-        if (character < ' ' || (character >= 0x7F && character <= 0x9F)) {
-            return "the control character " + code(character);
-        }
-        if (OTHER_SPACES.indexOf(character) >= 0) {
-            return "the space character " + code(character) + " instead of an ordinary space";
-        }
-        boolean isDirection = character >= 0x2028 && character <= 0x202E;
-        boolean isFormat = character >= 0x2060 && character <= 0x206F;
-        if (isDirection || isFormat || INVISIBLE.indexOf(character) >= 0) {
-            return "the invisible character " + code(character);
-        }
-        return isUnpairedSurrogate(name, at) ? "the unpaired surrogate " + code(character) : "";
-    }
-
-    private static boolean isUnpairedSurrogate(String name, int at) {
-        char character = name.charAt(at);
-        boolean hasLow = at + 1 < name.length() && Character.isLowSurrogate(name.charAt(at + 1));
-        boolean hasHigh = at > 0 && Character.isHighSurrogate(name.charAt(at - 1));
-        return (Character.isHighSurrogate(character) && !hasLow) || (Character.isLowSurrogate(character) && !hasHigh);
-    }
-
-    private static String code(char character) {
-        String digits = "000" + Integer.toHexString(character).toUpperCase(Locale.ROOT);
-        return "U+" + digits.substring(digits.length() - 4);
+        Matcher invalid = INVALID.matcher(name);
+        String wrong = invalid.find() ? invalid.group() : name;
+        String code = String.format(
+                Locale.ROOT, "U+%04X", wrong.codePoints().findFirst().orElse(0));
+        return PROBLEMS.stream()
+                .filter(each -> each.pattern.matcher(wrong).find())
+                .map(each -> each.words.replace("SIGN", wrong).replace("CODE", code))
+                .findFirst();
     }
 }

@@ -25,22 +25,8 @@ class FileNameTest {
     @Property
     void goodNameIsOneFileInItsFolder(@ForAll String name) {
         if (FileName.problem(name).isEmpty()) {
-            assertThat(FileName.isPortable(name)).isTrue();
             assertThat(name).isNotBlank().doesNotContain("/", "\\", "\0").doesNotStartWith(".");
         }
-    }
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {"CON", "con", "NUL.x", "LPT1", "COM0", "COM\u00b9", "lpt\u00b3.rec", "aux .x", "goal.", "goal "})
-    void refusesWhatWindowsCannotHave(String name) {
-        assertThat(FileName.isPortable(name)).isFalse();
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"goal", "console", "CON-1", "LPT", "COM10", "my.con", "first try 2", "null"})
-    void takesAllOthers(String name) {
-        assertThat(FileName.isPortable(name)).isTrue();
     }
 
     @ParameterizedTest

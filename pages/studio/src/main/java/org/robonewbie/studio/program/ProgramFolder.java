@@ -34,7 +34,7 @@ class ProgramFolder extends PageFolder {
     private static final int MAX_HISTORY_BYTES = 4 << 20;
     private static final int MAX_FILES = 500;
     private static final int MAX_DEPTH = 12;
-    private static final Pattern PATH = Pattern.compile(
+    static final Pattern PATH = Pattern.compile(
             "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + MAX_DEPTH + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
     private final String suffix;
@@ -117,8 +117,9 @@ class ProgramFolder extends PageFolder {
 
     @Override
     public Path file(String path) throws IOException {
-        boolean isPlain = Arrays.stream(path.split("/")).allMatch(FileName::isPortable);
-        if (!isPlain || !PATH.matcher(path).matches()) {
+        Stream<String> names = Arrays.stream(path.replace(ENDING, "").split("/"));
+        if (names.anyMatch(each -> FileName.problem(each).isPresent())
+                || !PATH.matcher(path).matches()) {
             throw new RefusedException(
                     400,
                     "\"" + path + "\" is not a valid program name. Use letters, digits and _, such as MyAgent.java.");

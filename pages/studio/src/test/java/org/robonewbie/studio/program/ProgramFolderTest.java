@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,11 +18,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.FileName;
 import org.robonewbie.studio.file.PageFiles;
 import org.robonewbie.studio.file.RefusedException;
 
 /** Programs are read and written in their folder only, and never overwrite changes of another program. */
 class ProgramFolderTest {
+
+    private static final Path SCRIPT =
+            Path.of("src/main/resources/org/robonewbie/studio/web/state/file-name-patterns.js");
 
     @TempDir
     private Path place;
@@ -36,6 +41,37 @@ class ProgramFolderTest {
 
     private static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** The patterns that the scripts of studio and web edition use; {@code -Dtables=write} writes them. */
+    @Test
+    void scriptsHaveTheSamePatterns() throws IOException {
+        String problems = FileName.PROBLEMS.stream()
+                .map(each -> "  { pattern: /%s/iu, words: '%s' },\n".formatted(each.pattern(), each.words()))
+                .collect(Collectors.joining());
+        String script = """
+                /** Patterns of file names: those of the Java classes FileName and ProgramFolder, whose test writes this file. */
+
+                export const MAX_CHARACTERS = %d;
+
+                // prettier-ignore
+                export const INVALID = /%s/u;
+
+                // prettier-ignore
+                export const PROBLEMS = [
+                %s];
+
+                export const PROGRAM_PATH = /^%s$/u;
+                """.formatted(
+                        FileName.MAX_CHARACTERS,
+                        FileName.INVALID,
+                        problems,
+                        ProgramFolder.PATH.pattern().replace("/", "\\/"));
+        if (System.getProperty("tables", "").equals("write")) {
+            Files.writeString(SCRIPT, script);
+        }
+
+        assertThat(SCRIPT).hasContent(script);
     }
 
     @ParameterizedTest

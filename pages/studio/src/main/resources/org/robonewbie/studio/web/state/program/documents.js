@@ -18,12 +18,8 @@
  * @typedef {import('../course.js').Lesson} Lesson
  */
 import { UTF_8 } from '../decoded-text.js';
-import { isPortable } from '../file-name.js';
 import { commonLines } from './line-diff.js';
 import { fileName } from './remarks.js';
-
-/** Path of a program: folders and the name of a class. */
-const PROGRAM_PATH = /^(?:[\p{L}_][\p{L}\p{N}_-]{0,79}\/){0,12}[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
 
 /** Storage key of the most recently opened program. */
 export const LAST_PROGRAM = 'robonewbie-program';
@@ -99,11 +95,6 @@ export function programAt(hash) {
 /** @param {string} name user input @returns {string} name of a Java file */
 export function javaName(name) {
   return name.trim().endsWith('.java') ? name.trim() : `${name.trim()}.java`;
-}
-
-/** @param {string} path @returns {boolean} whether a program can have this path; the rule is that of the Java class ProgramFolder */
-export function isProgramPath(path) {
-  return PROGRAM_PATH.test(path) && path.split('/').every(isPortable);
 }
 
 /** @param {string} name class name typed by the user @returns {string} the problem with it; empty if it is valid */
