@@ -56,7 +56,7 @@ TASKS = {
     ),
     # Stable-Baselines3's own settings but for the number of steps and the batch size; the task does the rest.
     "Walk": Settings(
-        3_000_000,
+        4_000_000,
         "--n-envs 128 --n-steps 64 --batch-size 512 --n-epochs 10 --learning-rate 0.0003 --gamma 0.99 --log-std-init 0 --symmetric",
         ("cycles=2", "delay=0..1", "friction=0.8..1.2", "mass=0.95..1.05", "noise=0..0.5"),
     ),
