@@ -31,7 +31,30 @@ def _registered(name):
     return dict(spec.kwargs), spec.max_episode_steps
 
 
-class VecEnv(_VecEnv, VectorizedTask):
+class SharedVecEnv(_VecEnv):
+    """Base class of environments whose robots share one object."""
+
+    def get_attr(self, attr_name, indices=None):
+        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name, value, indices=None):
+        self._check_all(indices)
+        setattr(self, attr_name, value)
+
+    def env_method(self, method_name, *method_args, indices=None, **method_kwargs):
+        """Calls a method of this class once, for all robots, and returns its result for each of them."""
+        self._check_all(indices)
+        return [getattr(self, method_name)(*method_args, **method_kwargs)] * self.num_envs
+
+    def _check_all(self, indices):
+        if set(self._get_indices(indices)) != set(range(self.num_envs)):
+            raise RoboNewbieError("The robots share their attributes and methods. Omit the argument indices.")
+
+    def env_is_wrapped(self, wrapper_class, indices=None):
+        return [False] * len(list(self._get_indices(indices)))
+
+
+class VecEnv(SharedVecEnv, VectorizedTask):
     """Robots in separate worlds.
 
     ``task`` is the name of a task or the id of a registered environment. ``reward`` and ``options`` are those of ``RoboNewbieEnv``. When an
@@ -132,22 +155,3 @@ class VecEnv(_VecEnv, VectorizedTask):
 
     def get_images(self):
         return [draw(self._connection.picture(i)) for i in range(self.num_envs)]
-
-    def get_attr(self, attr_name, indices=None):
-        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
-
-    def set_attr(self, attr_name, value, indices=None):
-        self._check_all(indices)
-        setattr(self, attr_name, value)
-
-    def env_method(self, method_name, *method_args, indices=None, **method_kwargs):
-        """Calls a method of this class once, for all robots, and returns its result for each of them."""
-        self._check_all(indices)
-        return [getattr(self, method_name)(*method_args, **method_kwargs)] * self.num_envs
-
-    def _check_all(self, indices):
-        if set(self._get_indices(indices)) != set(range(self.num_envs)):
-            raise RoboNewbieError("The robots share their attributes and methods. Omit the argument indices.")
-
-    def env_is_wrapped(self, wrapper_class, indices=None):
-        return [False] * len(list(self._get_indices(indices)))

@@ -149,16 +149,17 @@ def options_of(words):
     return options
 
 
-def _arguments(words):
+def _arguments(words, program="train", tasks=settings.TASKS):
     parser = argparse.ArgumentParser(
-        prog="python -m robonewbie.train",
+        prog=f"python -m robonewbie.{program}",
         description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3. "
-        f"For {', '.join(settings.TASKS)}, the defaults are the best known values instead of those below. "
+        f"For {', '.join(tasks)}, the defaults are the best known values instead of those below. "
         "If TensorBoard is installed, returns and losses are logged: tensorboard --logdir .",
     )
-    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
+    parser.set_defaults(program=program)
+    parser.add_argument("task", help=f"{', '.join(tasks)}, another task, or the name of a custom Java class")
     parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (default: 300000)")
-    parser.add_argument("--n-envs", type=int, default=64, help="number of parallel robots (default: 64)")
+    parser.add_argument("--n-envs", type=int, default=64, help="number of parallel robots or matches (default: 64)")
     parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot per update (default: 64)")
     parser.add_argument("--batch-size", type=int, default=512, help="minibatch size (default: 512)")
     parser.add_argument("--n-epochs", type=int, default=10, help="epochs per update (default: 10)")
@@ -175,9 +176,12 @@ def _arguments(words):
     parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
     parser.add_argument("--out", type=Path, help="file of the policy (default: TASK.policy)")
     parser.add_argument("--resume", action="store_true", help="resume an interrupted training run")
-    parser.add_argument("--n-eval-episodes", type=int, default=128, help="episodes of the evaluation at the end; 0 for none (default: 128)")
+    if program == "selfplay":
+        parser.add_argument("--opponent", type=Path, action="append", default=[], metavar="FILE", help="policy file that joins the pool")
+    episodes = 100 if program == "selfplay" else 128
+    parser.add_argument("--n-eval-episodes", type=int, default=episodes, help=f"episodes of the evaluation at the end; 0 for none (default: {episodes})")
     task = parser.parse_args(words).task
-    known = settings.TASKS[task].words if task in settings.TASKS else []
+    known = tasks[task].words if task in tasks else []
     wanted = parser.parse_args(words, parser.parse_args([task, *known]))
     wanted.options = options_of(wanted.option)
     if wanted.symmetric and wanted.sde_sample_freq > 0:
@@ -193,13 +197,12 @@ class Training:
         from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 
         from robonewbie.critic import Timed, TwoViewsPolicy
-        from robonewbie.sb3 import VecEnv
         from robonewbie.symmetry import SymmetricMoments, SymmetricPolicy
 
         self.wanted = wanted
         self.out = wanted.out
         self.began = time.monotonic()
-        self.task = VecEnv(wanted.task, wanted.n_envs, **wanted.options)
+        self.task = self._robots()
         self.inputs = indices_of(self.task.description, wanted.inputs)
         longest = math.ceil(self.task.description["longestCycles"] / self.task.cycles)
         robots = VecMonitor(Timed(self.task, longest))
@@ -217,6 +220,11 @@ class Training:
             self._initialise_actor()
         self.first_timestep = self.model.num_timesteps
         self.zero_actions = None  # their mean return, if known
+
+    def _robots(self):
+        from robonewbie.sb3 import VecEnv
+
+        return VecEnv(self.wanted.task, self.wanted.n_envs, **self.wanted.options)
 
     def _initialise_actor(self):
         """Sets the last layer to zero and the hidden biases to random values, because gSDE does not explore if all inputs are zero."""
@@ -335,7 +343,7 @@ class Training:
         while self.model.num_timesteps < wanted.total_timesteps:
             rate = wanted.learning_rate * (1 - self.model.num_timesteps / wanted.total_timesteps)
             self.model.lr_schedule = lambda _, rate=rate: rate
-            self.model.learn(wanted.n_envs * wanted.n_steps, reset_num_timesteps=False)
+            self.model.learn(self.task.num_envs * wanted.n_steps, reset_num_timesteps=False)
             self.model.logger.dump(self.model.num_timesteps)  # the losses of this update
             self.save()
 
@@ -343,7 +351,7 @@ class Training:
 def command_of(wanted, total_timesteps):
     """Returns the command line with all arguments that determine a training run."""
     return (
-        f"python -m robonewbie.train {wanted.task} --total-timesteps {total_timesteps} --n-envs {wanted.n_envs} "
+        f"python -m robonewbie.{wanted.program} {wanted.task} --total-timesteps {total_timesteps} --n-envs {wanted.n_envs} "
         f"--n-steps {wanted.n_steps} --batch-size {wanted.batch_size} --n-epochs {wanted.n_epochs} --learning-rate {wanted.learning_rate:g} "
         f"--gamma {wanted.gamma:g} --gae-lambda {wanted.gae_lambda:g} --log-std-init {wanted.log_std_init:g} "
         f"--sde-sample-freq {wanted.sde_sample_freq} --net-arch {''.join(f'{neurons} ' for neurons in wanted.net_arch)}"
@@ -362,7 +370,15 @@ def indices_of(description, inputs):
 
 def main(words=None):
     """Runs the command line."""
-    wanted = _arguments(words)
+    training = trained(Training, _arguments(words))
+    if training.wanted.n_eval_episodes > 0:
+        from robonewbie import evaluate
+
+        evaluate.compare(training.wanted.task, training.out, training.wanted.n_eval_episodes, options=training.wanted.options)
+
+
+def trained(kind, wanted):
+    """Runs or resumes a training run of a kind, and returns it."""
     wanted.out = wanted.out or Path(f"{wanted.task}.policy")
     model = wanted.out.with_name(wanted.out.name + ".zip")
     if model.exists() and not wanted.resume:
@@ -370,14 +386,11 @@ def main(words=None):
     if wanted.resume and not model.exists():
         sys.exit(f"There is nothing to resume: {model} does not exist. Omit --resume to start a new training run.")
     print(command_of(wanted, wanted.total_timesteps), flush=True)
-    training = Training(wanted)
+    training = kind(wanted)
     training.run()
     training.task.close()
     print(f"The policy was written to {training.out}.")
-    if wanted.n_eval_episodes > 0:
-        from robonewbie import evaluate
-
-        evaluate.compare(wanted.task, training.out, wanted.n_eval_episodes, options=wanted.options)
+    return training
 
 
 if __name__ == "__main__":

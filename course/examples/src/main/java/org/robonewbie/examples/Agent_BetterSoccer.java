@@ -26,7 +26,9 @@ public class Agent_BetterSoccer extends Agent {
     private static final double AROUND_METRES = 0.35;
     private static final double FAR_METRES = 0.7;
 
-    private final SelfLocalisation self = new SelfLocalisation();
+    /** The robot's pose on the pitch. */
+    protected final SelfLocalisation self = new SelfLocalisation();
+
     private boolean placed;
 
     /** Creates the agent. */

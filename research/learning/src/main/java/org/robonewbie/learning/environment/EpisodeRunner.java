@@ -13,8 +13,10 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.walk.GaitObservation;
 import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.agent.walk.SoccerPolicy;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
@@ -44,7 +46,8 @@ final class EpisodeRunner implements Controller {
 
     private final TrainingTask task;
     private final Measure measure;
-    private final Controller motor = Controller.ofPolicy(this::speeds);
+    private final Optional<SteeredAgent> steered;
+    private final Controller motor;
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final Perception perception;
@@ -72,6 +75,8 @@ final class EpisodeRunner implements Controller {
         this.task = task;
         this.measure = measure;
         this.perception = new Perception(task.hasCamera());
+        steered = task.steersWalk() ? Optional.of(new SteeredAgent()) : Optional.empty();
+        motor = steered.map(Controller::ofAgent).orElseGet(() -> Controller.ofPolicy(this::speeds));
     }
 
     TrainingTask task() {
@@ -86,9 +91,9 @@ final class EpisodeRunner implements Controller {
             throw new IllegalArgumentException(
                     "The observation of this task is that of the walk engine. Omit the option history.");
         }
-        if (task.hasSpeeds() && (task.walk().isPresent() || task.motion().isPresent())) {
+        if (task.hasSpeeds() && (task.walk().isPresent() || task.motion().isPresent() || task.steersWalk())) {
             throw new IllegalArgumentException(
-                    "An action of this task corrects a walk or a motion. Omit the option speeds.");
+                    "An action of this task steers or corrects a walk or a motion. Omit the option speeds.");
         }
         task.configure(options);
     }
@@ -104,6 +109,9 @@ final class EpisodeRunner implements Controller {
     private List<ObservedQuantity> currentQuantities() {
         if (task.walk().isPresent()) {
             return WalkGuide.QUANTITIES;
+        }
+        if (task.steersWalk()) {
+            return task.extraQuantities();
         }
         if (task.observesGait()) {
             return Stream.concat(GAIT.stream(), task.extraQuantities().stream()).toList();
@@ -132,8 +140,8 @@ final class EpisodeRunner implements Controller {
                 (int) Math.round(options.of(Name.DELAY, 0)),
                 (int) Math.round(options.of(Name.JITTER, 0)),
                 new Random(31 * ~(seed + task.robot()) + 13),
-                new double[task.joints().size()]);
-        chosen = new double[task.joints().size()];
+                new double[task.outputs().size()]);
+        chosen = new double[task.outputs().size()];
         see(first, readings);
         reward = 0;
     }
@@ -206,6 +214,9 @@ final class EpisodeRunner implements Controller {
     }
 
     private Stream<double[]> sensed() {
+        if (task.steersWalk()) {
+            return Stream.of(task.extras());
+        }
         return task.observesGait()
                 ? Stream.of(gait.values(chosen), task.extras())
                 : Stream.of(perceived, motionProgress(), task.extras());
@@ -224,7 +235,15 @@ final class EpisodeRunner implements Controller {
     }
 
     @Override
+    public void introduce(String team, int number, TeamSide side) {
+        motor.introduce(team, number, side);
+    }
+
+    @Override
     public List<EffectorCommand> respond(SensorReadings readings) {
+        if (action.length > 0) {
+            steered.ifPresent(agent -> agent.steer(SoccerPolicy.velocity(action)));
+        }
         return motor.respond(readings);
     }
 

@@ -2,8 +2,11 @@ package org.robonewbie.learning.environment;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.DoubleStream;
+import java.util.Set;
 import java.util.stream.IntStream;
+import org.robonewbie.agent.walk.SoccerPolicy;
+import org.robonewbie.learning.environment.DomainRandomization.Name;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -14,16 +17,24 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Self-play between two teams until the first goal. A ball that leaves the pitch beside the goal is put back. */
+/**
+ * Self-play between two teams until the first goal. Robots walk and get up as agents do; an action is the velocity of the walk. A ball that
+ * leaves the pitch beside the goal is put back.
+ */
 final class MatchTraining extends TrainingTask {
 
     private static final String[] TEAMS = {"left", "right"};
     private static final SoccerField FIELD = SoccerField.BEGINNER;
     private static final double GOAL_REWARD = 10;
-    private static final double APPROACH_REWARD = 0.2;
-    private static final double SPREAD_METRES = 0.1;
-    private static final double INSIDE_METRES = 0.3;
-    private static final double FAR_METRES = 15;
+    private static final double APPROACH_REWARD = 0.5;
+    private static final double FALL_PENALTY = 0.3;
+    private static final double SPREAD_METRES = 0.3;
+    private static final double SPREAD_DEGREES = 30;
+    private static final double MAX_BACK_METRES = 4;
+    private static final double ERROR_METRES = 0.2;
+    private static final double ERROR_DEGREES = 5;
+    private static final int CYCLES_OF_AN_ERROR = 50;
+    private static final double INSIDE_METRES = 1;
 
     private static final WorldState EMPTY =
             new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, List.of(), PlayMode.PLAY_ON, 0, 0);
@@ -31,6 +42,11 @@ final class MatchTraining extends TrainingTask {
     private final Scene scene;
     private final int left;
     private WorldState now = EMPTY;
+    private Pose2d error = Pose2d.ORIGIN;
+    private int longestCycles = 2000;
+    private int cycles;
+    private int falls;
+    private boolean lying;
     private double value;
     private int goal;
 
@@ -89,18 +105,54 @@ final class MatchTraining extends TrainingTask {
     }
 
     @Override
+    void configure(DomainRandomization options) {
+        rejectAllBut(options, Set.of(Name.SECONDS));
+        longestCycles = options.longestCycles(longestCycles);
+    }
+
+    @Override
+    public boolean steersWalk() {
+        return true;
+    }
+
+    @Override
+    public List<Joint> joints() {
+        return List.of();
+    }
+
+    @Override
     public double rangeDegrees() {
-        return 60;
+        return 0;
+    }
+
+    @Override
+    public int cyclesPerAction() {
+        return 10;
     }
 
     @Override
     public int longestCycles() {
-        return 1500;
+        return longestCycles;
     }
 
+    /** Scatters ball and robots; both teams start equally far back. */
     @Override
     public void begin(Trial trial) {
         scatterBall(trial, SPREAD_METRES);
+        WorldState first = trial.now();
+        double space = IntStream.range(0, learners())
+                .mapToDouble(i -> FIELD.length() / 2 - Math.abs(first.place(i).x()) - SPREAD_METRES)
+                .min()
+                .orElse(0);
+        double back = Math.max(0, Math.min(MAX_BACK_METRES, space)) * random().between(0, 1);
+        for (int i = 0; i < learners(); i++) {
+            Vector3 torso = first.robots().get(i).position();
+            Vector3 offset = new Vector3(
+                    random().between(-SPREAD_METRES, SPREAD_METRES) + (i < left ? -back : back),
+                    random().between(-SPREAD_METRES, SPREAD_METRES),
+                    0);
+            trial.robot(i).moveAndTurn(torso.plus(offset), random().between(-SPREAD_DEGREES, SPREAD_DEGREES));
+        }
     }
 
     @Override
@@ -124,6 +176,12 @@ final class MatchTraining extends TrainingTask {
         return Math.abs(ball.x()) > FIELD.length() / 2 && Math.abs(ball.y()) < FIELD.goalWidth() / 2;
     }
 
+    /** Returns half of how much closer a point is to the right goal than to the left one. */
+    private static double lead(Vector3 point) {
+        double goalLine = FIELD.length() / 2;
+        return (Math.hypot(point.x() + goalLine, point.y()) - Math.hypot(point.x() - goalLine, point.y())) / 2;
+    }
+
     /** Returns 1 for the team that attacks the right goal, −1 for the other. */
     private int side() {
         return robot() < left ? 1 : -1;
@@ -131,37 +189,30 @@ final class MatchTraining extends TrainingTask {
 
     @Override
     public List<ObservedQuantity> extraQuantities() {
-        List<ObservedQuantity> all = new ArrayList<>(point("ball"));
-        all.addAll(point("goal"));
-        for (int i = 1; i < ownTeam(); i++) {
-            all.addAll(point("mate" + i));
-        }
-        for (int i = 1; i <= learners() - ownTeam(); i++) {
-            all.addAll(point("opponent" + i));
-        }
-        return all;
-    }
-
-    private static List<ObservedQuantity> point(String name) {
-        return List.of(
-                ObservedQuantity.symmetric(name + ".forward", "m", FAR_METRES),
-                ObservedQuantity.symmetric(name + ".left", "m", FAR_METRES));
+        return SoccerPolicy.inputs(ownTeam() - 1, learners() - ownTeam()).stream()
+                .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), 1))
+                .toList();
     }
 
     private int ownTeam() {
         return side() > 0 ? left : learners() - left;
     }
 
-    /** {@return the true positions of the ball, the opponents' goal and the other robots, relative to the robot} */
+    /**
+     * {@return the positions that an agent knows: those of the ball and the other robots, and those of the goals from its localisation, with an
+     * error that jumps}
+     */
     @Override
     public double[] extras() {
         Pose2d own = now.place(robot());
-        List<Vector3> all = new ArrayList<>(List.of(now.ball(), new Vector3(side() * FIELD.length() / 2, 0, 0)));
-        all.addAll(others(true));
-        all.addAll(others(false));
-        return all.stream()
-                .flatMapToDouble(point -> DoubleStream.of(own.ahead(point), own.left(point)))
-                .toArray();
+        Pose2d believed = own.then(error.x(), error.y(), error.degrees());
+        List<Vector3> all = new ArrayList<>();
+        all.add(own.fromFrame(now.ball()));
+        all.add(believed.fromFrame(new Vector3(side() * FIELD.length() / 2, 0, 0)));
+        all.add(believed.fromFrame(new Vector3(-side() * FIELD.length() / 2, 0, 0)));
+        others(true).forEach(mate -> all.add(own.fromFrame(mate)));
+        others(false).forEach(opponent -> all.add(own.fromFrame(opponent)));
+        return SoccerPolicy.values(now.robots().get(robot()).isFallen(), all);
     }
 
     private List<Vector3> others(boolean teammates) {
@@ -174,13 +225,22 @@ final class MatchTraining extends TrainingTask {
     @Override
     protected void see(WorldState first, WorldState current) {
         now = current;
+        if (cycles++ % CYCLES_OF_AN_ERROR == 0) {
+            error = new Pose2d(
+                    random().between(-ERROR_METRES, ERROR_METRES),
+                    random().between(-ERROR_METRES, ERROR_METRES),
+                    random().between(-ERROR_DEGREES, ERROR_DEGREES));
+        }
+        boolean lies = now.robots().get(robot()).isFallen();
+        falls += lies && !lying ? 1 : 0;
+        lying = lies;
         if (isGoal(now.ball())) {
             goal = now.ball().x() > 0 ? 1 : -1;
         }
-        double progress = now.ball().x() - first.ball().x();
+        double progress = lead(now.ball()) - lead(first.ball());
         double approach =
                 first.place(robot()).distance(first.ball()) - now.place(robot()).distance(now.ball());
-        value = side() * (GOAL_REWARD * goal + progress) + APPROACH_REWARD * approach - (hasFallen() ? 1 : 0);
+        value = side() * (GOAL_REWARD * goal + progress) + APPROACH_REWARD * approach - FALL_PENALTY * falls;
     }
 
     /** {@return whether the robot's team has scored} */
@@ -197,8 +257,8 @@ final class MatchTraining extends TrainingTask {
 
     @Override
     public String rewardRule() {
-        return "10 for a goal and 1 per metre that the ball moves forward, both deducted from the other team; "
-                + "0.2 per metre that the robot approaches the ball; a fall costs 1";
+        return "10 for a goal and 1 per metre that the ball moves from goal to goal, both deducted from the other team; "
+                + "0.5 per metre that the robot approaches the ball; each fall costs 0.3";
     }
 
     @Override

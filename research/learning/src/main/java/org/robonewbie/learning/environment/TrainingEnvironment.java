@@ -111,6 +111,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     public void reset(long seed, Optional<Policy> policy) {
         runners = newRunners(policy);
         Scene next = task().seededScene(seed);
+        runners.stream().skip(1).forEach(runner -> runner.task().seed(seed));
         if (next.equals(scene)) {
             trial.reset(seed, controllers());
         } else {

@@ -10,6 +10,7 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.walk.GaitObservation;
 import org.robonewbie.agent.walk.ResidualPolicy;
+import org.robonewbie.agent.walk.SoccerPolicy;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
@@ -73,6 +74,11 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     final Scene seededScene(long seed) {
         random = new RandomSource(seed);
         return scene(random);
+    }
+
+    /** Seeds a task of a robot other than the first one, which creates the scene. */
+    final void seed(long seed) {
+        random = new RandomSource(31 * ~seed + robot);
     }
 
     /**
@@ -160,8 +166,19 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return WalkVelocity.ZERO;
     }
 
+    /**
+     * {@return whether an action is a velocity for the learned walk, in units of {@link SoccerPolicy#MAX}, instead of joint angles; false by
+     * default. The robot gets up by itself, and an observation contains only the {@link #extraQuantities}}
+     */
+    public boolean steersWalk() {
+        return false;
+    }
+
     /** {@return the names and units of an action's components, which are the outputs of a policy} */
     public final List<Quantity> outputs() {
+        if (steersWalk()) {
+            return SoccerPolicy.OUTPUTS;
+        }
         return walk().isPresent()
                 ? ResidualPolicy.OUTPUTS
                 : joints().stream()

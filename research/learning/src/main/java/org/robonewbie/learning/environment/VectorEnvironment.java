@@ -41,7 +41,7 @@ final class VectorEnvironment implements AutoCloseable {
         this.parallel = parallel;
         boolean any = !environments.isEmpty();
         robots = any ? environments.get(0).robots() : 0;
-        actions = any ? environments.get(0).task().joints().size() : 0;
+        actions = any ? environments.get(0).task().outputs().size() : 0;
         actionLimit = any ? environments.get(0).task().actionLimit() : 1;
         requestBytes = BYTES_BEFORE_ACTION + Float.BYTES * actions;
         observationBytes = any ? Float.BYTES * environments.get(0).quantities().size() : 0;
