@@ -20,7 +20,8 @@ from robonewbie.simulator import RESET, STEP, TRUNCATED, RoboNewbieError
 
 
 class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
-    """Two teams of agents ``left_1`` to ``right_11``. A step is a cycle of 20 ms unless the option ``cycles`` is set.
+    """Two teams of agents ``left_1`` to ``right_11``. An action is a velocity for the walk, held for 0.2 s
+    unless the option ``cycles`` is set. :class:`robonewbie.matches.Matches` steps many matches at once.
 
     ``task`` is ``Match1v1``, ``Match2v2``, ``Match11v11``, ``KeeperAgainstAttacker``, or a custom Java class with several
     ``learners``. ``options`` are those of ``RoboNewbieEnv``.

@@ -181,7 +181,7 @@ class SelfPlay(train.Training):
         self.folder.mkdir(exist_ok=True)
         file = self.folder / f"{self.model.num_timesteps}.policy"
         file.write_text(self.text(), encoding="utf-8")
-        self.pool.append(played(Player(f"{self.folder.name}/{file.name}", elo=self.learner.elo), file))
+        self.pool.append(played(Player(str(file), elo=self.learner.elo), file))
         self._scores.clear()
 
     def _write_ratings(self, file):
@@ -199,8 +199,7 @@ class SelfPlay(train.Training):
                 elif player.name == ZERO:
                     self.pool[0] = player
                 else:
-                    file_of_player = self.out.with_name(player.name) if player.name.startswith(self.folder.name) else Path(player.name)
-                    self.pool.append(played(player, file_of_player))
+                    self.pool.append(played(player, Path(player.name)))
 
 
 def play(task: str, policy: PlayedPolicy, opponent: Player, games: int = GAMES, first_seed: int = FIRST_SEED, **options: Any) -> Player:

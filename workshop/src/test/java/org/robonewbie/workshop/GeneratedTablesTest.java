@@ -114,7 +114,7 @@ class GeneratedTablesTest {
     }
 
     private static List<String> policies() {
-        List<String> rows = new ArrayList<>(header("policy", "inputs", "joints", "weights"));
+        List<String> rows = new ArrayList<>(header("policy", "inputs", "outputs", "weights"));
         try (Stream<Path> files = Files.list(POLICIES)) {
             files.sorted().forEach(file -> {
                 Policy policy = PolicyFile.read(file);
@@ -256,6 +256,9 @@ class GeneratedTablesTest {
     }
 
     private static String actions(TrainingTask task) {
+        if (task.steersWalk()) {
+            return task.outputs().size() + ", the velocity of the walk";
+        }
         String corrected = task.motion().map(Motion::name).orElse(task.walk().isPresent() ? "the walk engine" : "");
         DoubleSummaryStatistics ranges =
                 task.joints().stream().mapToDouble(task::rangeDegrees).summaryStatistics();

@@ -31,6 +31,9 @@ public final class SoccerPolicy {
             Quantity.scaled("velocity.left", MAX.left(), "m/s"),
             Quantity.scaled("velocity.turn", MAX.turn(), "degrees/s"));
 
+    /** Speed of a robot that walks backward, which is low since it sees little behind it. */
+    private static final double MAX_BACKWARD = 0.1;
+
     private static final double HALF_WAY_METRES = 0.5;
 
     private final InferenceSession session;
@@ -109,12 +112,13 @@ public final class SoccerPolicy {
     }
 
     /**
-     * Returns the velocity that an action stands for.
+     * Returns the velocity that an action stands for. Backward, the robot walks at 0.1 m/s at most.
      *
      * @param action a value from -1 to 1 for each of the {@link #OUTPUTS}
      * @return the velocity
      */
     public static WalkVelocity velocity(double... action) {
-        return new WalkVelocity(MAX.forward() * action[0], MAX.left() * action[1], MAX.turn() * action[2]);
+        double forward = action[0] < 0 ? MAX_BACKWARD : MAX.forward();
+        return new WalkVelocity(forward * action[0], MAX.left() * action[1], MAX.turn() * action[2]);
     }
 }

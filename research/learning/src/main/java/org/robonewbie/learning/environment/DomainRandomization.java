@@ -79,7 +79,10 @@ public final class DomainRandomization {
         CONSTANT("in gait tasks: share of episodes with a single command (0.4)", 0, 1),
         FLIGHT("in gait tasks: cost of a second without a foot on the ground (0)", 0, MAX),
         TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4, true),
-        SECONDS("in gait tasks, Walk and matches: longest duration of an episode, seconds (9, in Walk 20, in matches 40)", 0.02, MAX),
+        SECONDS(
+                "in gait tasks, Walk and matches: longest duration of an episode, seconds (9, in Walk 20, in matches 40)",
+                0.02,
+                MAX),
         STRENGTH("factor for the maximum torque of the motors (1), drawn for each joint", 0.01, 100),
         SOLE_FRICTION("factor for the friction of the soles (1)", 0.01, 100),
         COM_FORWARD("displacement of the torso's weight from its centre, metres", -0.2, 0.2),

@@ -26,7 +26,8 @@ final class MatchTraining extends TrainingTask {
     private static final String[] TEAMS = {"left", "right"};
     private static final SoccerField FIELD = SoccerField.BEGINNER;
     private static final double GOAL_REWARD = 10;
-    private static final double APPROACH_REWARD = 0.5;
+    private static final double APPROACH_REWARD = 1;
+    private static final double AHEAD_METRES = 0.2;
     private static final double FALL_PENALTY = 0.3;
     private static final double SPREAD_METRES = 0.3;
     private static final double SPREAD_DEGREES = 30;
@@ -176,6 +177,11 @@ final class MatchTraining extends TrainingTask {
         return Math.abs(ball.x()) > FIELD.length() / 2 && Math.abs(ball.y()) < FIELD.goalWidth() / 2;
     }
 
+    /** Returns the distance from the ball to the point where it is to be: a little ahead of the robot. */
+    private double distanceToBall(WorldState state) {
+        return state.place(robot()).then(AHEAD_METRES, 0, 0).distance(state.ball());
+    }
+
     /** Returns half of how much closer a point is to the right goal than to the left one. */
     private static double lead(Vector3 point) {
         double goalLine = FIELD.length() / 2;
@@ -238,8 +244,7 @@ final class MatchTraining extends TrainingTask {
             goal = now.ball().x() > 0 ? 1 : -1;
         }
         double progress = lead(now.ball()) - lead(first.ball());
-        double approach =
-                first.place(robot()).distance(first.ball()) - now.place(robot()).distance(now.ball());
+        double approach = distanceToBall(first) - distanceToBall(now);
         value = side() * (GOAL_REWARD * goal + progress) + APPROACH_REWARD * approach - FALL_PENALTY * falls;
     }
 
@@ -258,7 +263,7 @@ final class MatchTraining extends TrainingTask {
     @Override
     public String rewardRule() {
         return "10 for a goal and 1 per metre that the ball moves from goal to goal, both deducted from the other team; "
-                + "0.5 per metre that the robot approaches the ball; each fall costs 0.3";
+                + "1 per metre that the point 0.2 m ahead of the robot approaches the ball; each fall costs 0.3";
     }
 
     @Override

@@ -57,8 +57,7 @@ public final class MatchExperiment implements Experiment {
                 .withBall(Vector3.ZERO);
         Controller agent = Controller.ofAgent(agent(AGENT, texts));
         Controller opponent = Controller.ofAgent(agent(OPPONENT, texts));
-        try (Trial trial =
-                Trial.served(scene, seed, agentIsLeft ? agent : opponent, agentIsLeft ? opponent : agent)) {
+        try (Trial trial = Trial.served(scene, seed, agentIsLeft ? agent : opponent, agentIsLeft ? opponent : agent)) {
             trial.allowBeams();
             double longest = numbers.getOrDefault(SECONDS, DEFAULT_SECONDS);
             WorldState now = trial.now();
@@ -80,8 +79,8 @@ public final class MatchExperiment implements Experiment {
 
     private static Agent agent(String parameter, Map<String, String> texts) throws ReflectiveOperationException {
         String name = Optional.ofNullable(texts.get(parameter))
-                .orElseThrow(() -> new IllegalArgumentException("The plan names no " + parameter + ". Add a line such as "
-                        + parameter + "=org.robonewbie.examples.Agent_Dummy."));
+                .orElseThrow(() -> new IllegalArgumentException("The plan names no " + parameter
+                        + ". Add a line such as " + parameter + "=org.robonewbie.examples.Agent_Dummy."));
         return Class.forName(name, true, Thread.currentThread().getContextClassLoader())
                 .asSubclass(Agent.class)
                 .getConstructor()

@@ -15,7 +15,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import javax.tools.ToolProvider;
@@ -193,26 +192,25 @@ class EnvironmentServerTest {
     @Test
     void robotsOfAMatchActAndEarnEachForItself() throws IOException {
         String description = text(make("Match1v1", 1));
-        byte[] still = order(2, 1, new double[12]);
-        act(bytes(little(2 * still.length).put(still).put(still)));
-        double[] bent = new double[12];
-        Arrays.fill(bent, 1);
-        byte[] hold = order(1, 1, new double[12]);
-        ByteBuffer answer = ByteBuffer.allocate(0);
-        for (int i = 0; i < 100; i++) {
-            answer = act(bytes(little(2 * hold.length).put(hold).put(order(1, 1, bent))));
+        byte[] begin = order(2, 1, new double[3]);
+        double[] before = places(act(bytes(little(2 * begin.length).put(begin).put(begin))));
+        byte[] hold = order(1, 1, new double[3]);
+        double[] after = {};
+        for (int i = 0; i < 20; i++) {
+            after = places(act(bytes(little(2 * hold.length).put(hold).put(order(1, 1, 1, 0, 0)))));
         }
 
-        int row = (answer.limit() - 1) / 2;
-        assertThat(description).contains("\"robots\":[\"left_1\",\"right_1\"]", "\"opponent1.forward\"");
-        assertThat(fallen(answer, row)).isZero();
-        assertThat(fallen(answer, 2 * row)).isOne();
-        assertThat(answer.get(2 * row)).as("a fall ends no match").isZero();
+        assertThat(description).contains("\"robots\":[\"left_1\",\"right_1\"]", "\"opponent1.forward\"", "\"0.8 m/s\"");
+        assertThat(after[0]).isCloseTo(before[0], within(0.05));
+        assertThat(after[1]).as("walks forward, towards the left goal").isLessThan(before[1] - 1);
         assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy measures a single robot");
     }
 
-    private static double fallen(ByteBuffer answer, int lastByteOfRow) {
-        return answer.getDouble(lastByteOfRow - 2 * Double.BYTES);
+    /** Returns the x coordinate of both robots of a match. */
+    private static double[] places(ByteBuffer answer) {
+        int row = (answer.limit() - 1) / 2;
+        int x = Double.BYTES * (PrivilegedState.NAMES.size() - PrivilegedState.NAMES.indexOf("x"));
+        return new double[] {answer.getDouble(row - x), answer.getDouble(2 * row - x)};
     }
 
     private static double truth(ByteBuffer answer, String name) {
