@@ -46,9 +46,17 @@ class Player:
     drawn: int = 0
     lost: int = 0
 
-    def act(self, observation: np.ndarray) -> Any:
-        """Returns a row of actions for each row of observations."""
-        return self.policy.act(observation) if self.policy else 0
+    def act(self, observation: np.ndarray, names: list[str]) -> Any:
+        """Returns a row of actions for each row of observations, whose columns have the given names.
+
+        :raises RoboNewbieError: if the policy observes something else
+        """
+        if not self.policy:
+            return 0
+        missing = [name for name in self.policy.inputs if name not in names]
+        if missing:
+            raise RoboNewbieError(f"{self.name} observes {', '.join(missing)}, which robots of this task do not. Choose a policy for this task.")
+        return self.policy.act(observation[..., [names.index(name) for name in self.policy.inputs]])
 
     def count(self, score: float) -> None:
         """Counts a match: 1 if it is won, 0.5 if drawn, 0 if lost."""
@@ -124,7 +132,7 @@ class Games(SharedVecEnv):
         for i in np.unique(self._opponents):
             met = np.flatnonzero(self._opponents == i)
             seen = self._of(self._other, self._observed)[met]
-            all_actions[met[:, None], self._other[met]] = self.pool[i].act(seen)
+            all_actions[met[:, None], self._other[met]] = self.pool[i].act(seen, self.observation_names)
         self._actions = {agent: all_actions[:, i] for i, agent in enumerate(self.matches.agents)}
 
     def step_wait(self):
@@ -204,17 +212,17 @@ class SelfPlay(train.Training):
 
 def play(task: str, policy: PlayedPolicy, opponent: Player, games: int = GAMES, first_seed: int = FIRST_SEED, **options: Any) -> Player:
     """Plays new matches, half of them from each side, and returns a player with the results of the policy."""
-    result, ended = Player("the policy", policy), np.zeros(games, dtype=int)
+    result, ended = Player("the policy", policy), np.zeros(games, dtype=bool)
     robots = Games(task, games, [opponent], lambda _, score: None, **options)
     robots.seed(first_seed)
     observation = robots.reset()
     mates = robots.num_envs // games
     while not ended.all():
-        robots.step_async(np.clip(policy.act(observation), -1, 1))
+        robots.step_async(result.act(observation, robots.observation_names))
         observation, _, done, notes = robots.step_wait()
         for match in np.flatnonzero(done[::mates]):
             if not ended[match]:
-                ended[match] = 1
+                ended[match] = True
                 result.count(notes[match * mates]["score"])
     robots.close()
     return result

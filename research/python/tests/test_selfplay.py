@@ -57,7 +57,7 @@ class MatchesTest(unittest.TestCase):
 @unittest.skipUnless(selfplay, "stable-baselines3 is not installed")
 class SelfPlayTest(unittest.TestCase):
     def test_learner_plays_from_both_sides_and_the_pool_is_its_opponent(self):
-        forward = mock.Mock()
+        forward = mock.Mock(inputs=["ball.left", "fallen"])
         forward.act = lambda seen: np.tile([1.0, 0, 0], (*seen.shape[:-1], 1))
         scores = []
         for pool, moved in (([selfplay.Player("zero actions")], "learner"), ([selfplay.Player("forward", forward)], "other")):
@@ -77,6 +77,8 @@ class SelfPlayTest(unittest.TestCase):
                 stander = (-left_learner[1], right_learner[0]) if moved == "learner" else (left_learner[0], -right_learner[1])
                 self.assertTrue((np.array(mover) > np.array(stander) + 1).all())
         self.assertEqual(scores, [0.5] * 4)
+        with self.assertRaisesRegex(RoboNewbieError, "walker observes gyro.left, which robots of this task do not"):
+            selfplay.Player("walker", mock.Mock(inputs=["gyro.left"])).act(first, games.observation_names)
 
     def test_ratings_follow_the_results_and_zero_actions_stay(self):
         learner, other, zero = (selfplay.Player(name) for name in ("the policy", "x.policy", "zero actions"))

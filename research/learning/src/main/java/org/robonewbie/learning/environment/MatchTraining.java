@@ -19,7 +19,7 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Self-play between two teams until the first goal. Robots walk and get up as agents do; an action is the velocity of the walk. A ball that
- * leaves the pitch beside the goal is put back.
+ * leaves the pitch beside the goal is put back, as after a goal kick that no robot takes.
  */
 final class MatchTraining extends TrainingTask {
 
@@ -35,12 +35,15 @@ final class MatchTraining extends TrainingTask {
     private static final double ERROR_METRES = 0.2;
     private static final double ERROR_DEGREES = 5;
     private static final int CYCLES_OF_AN_ERROR = 50;
-    private static final double INSIDE_METRES = 1;
+    private static final double MAX_X = FIELD.length() / 2 - 1.2;
+    private static final double MAX_Y = FIELD.width() / 2 - 1;
+    private static final double GOAL_KICK_Y = 2;
 
     private static final WorldState EMPTY =
             new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, List.of(), PlayMode.PLAY_ON, 0, 0);
 
     private final Scene scene;
+    private final boolean startsAnywhere;
     private final int left;
     private WorldState now = EMPTY;
     private Pose2d error = Pose2d.ORIGIN;
@@ -51,8 +54,9 @@ final class MatchTraining extends TrainingTask {
     private double value;
     private int goal;
 
-    private MatchTraining(Scene scene) {
+    private MatchTraining(Scene scene, boolean startsAnywhere) {
         this.scene = scene;
+        this.startsAnywhere = startsAnywhere;
         left = (int) scene.robots().stream()
                 .filter(robot -> robot.team().equals(TEAMS[0]))
                 .count();
@@ -66,16 +70,18 @@ final class MatchTraining extends TrainingTask {
                 all.add(start(team, i + 1, place(i)));
             }
         }
-        return new MatchTraining(Scene.of(all.toArray(RobotStart[]::new)));
+        return new MatchTraining(Scene.of(all.toArray(RobotStart[]::new)), true);
     }
 
     /** Creates a match between an attacker near the goal and the other team's goalkeeper, which defends it. */
     static MatchTraining keeperAgainstAttacker() {
         double goalLine = FIELD.length() / 2;
-        return new MatchTraining(Scene.of(
-                        start(TEAMS[0], 1, new Pose2d(goalLine - 2.8, 0, 0)),
-                        start(TEAMS[1], 1, new Pose2d(-goalLine + 0.2, 0, 0)))
-                .withBall(goalLine - 2.5, 0));
+        return new MatchTraining(
+                Scene.of(
+                                start(TEAMS[0], 1, new Pose2d(goalLine - 2.8, 0, 0)),
+                                start(TEAMS[1], 1, new Pose2d(-goalLine + 0.2, 0, 0)))
+                        .withBall(goalLine - 2.5, 0),
+                false);
     }
 
     /**
@@ -136,10 +142,14 @@ final class MatchTraining extends TrainingTask {
         return longestCycles;
     }
 
-    /** Scatters ball and robots; both teams start equally far back. */
+    /** Scatters ball and robots; both teams start equally far back. In half of the matches, the ball lies anywhere. */
     @Override
     public void begin(Trial trial) {
-        scatterBall(trial, SPREAD_METRES);
+        if (startsAnywhere && random().between(0, 1) < 0.5) {
+            trial.placeBall(new Vector3(random().between(-MAX_X, MAX_X), random().between(-MAX_Y, MAX_Y), 0));
+        } else {
+            scatterBall(trial, SPREAD_METRES);
+        }
         WorldState first = trial.now();
         double space = IntStream.range(0, learners())
                 .mapToDouble(i -> FIELD.length() / 2 - Math.abs(first.place(i).x()) - SPREAD_METRES)
@@ -159,13 +169,10 @@ final class MatchTraining extends TrainingTask {
     @Override
     public void act(Trial trial) {
         Vector3 ball = trial.ball().position();
-        Vector3 inside = new Vector3(
-                clamp(ball.x(), FIELD.length() / 2 - INSIDE_METRES),
-                clamp(ball.y(), FIELD.width() / 2 - INSIDE_METRES),
-                0);
-        boolean out = Math.abs(ball.x()) > FIELD.length() / 2 || Math.abs(ball.y()) > FIELD.width() / 2;
-        if (out && !isGoal(ball)) {
-            trial.placeBall(inside);
+        if (Math.abs(ball.x()) > FIELD.length() / 2 && !isGoal(ball)) {
+            trial.placeBall(new Vector3(Math.copySign(MAX_X, ball.x()), Math.copySign(GOAL_KICK_Y, ball.y()), 0));
+        } else if (Math.abs(ball.y()) > FIELD.width() / 2) {
+            trial.placeBall(new Vector3(clamp(ball.x(), MAX_X), clamp(ball.y(), MAX_Y), 0));
         }
     }
 
