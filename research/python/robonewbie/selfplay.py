@@ -3,9 +3,9 @@
     python -m robonewbie.selfplay Match1v1
     python -m robonewbie.selfplay Match1v1 --opponent other.policy --total-timesteps 2000000 --resume
 
-Arguments and files are those of robonewbie.train. Each match draws its opponent: half of them the newest of the pool, the others any. When the
-policy scores enough in its last matches, a snapshot of it joins the pool, as a file in the folder TASK.policy.pool. TASK.policy.elo.csv has the
-Elo ratings from all matches played, where zero actions have 1000. At the end, the policy plays 100 new matches against each of the pool.
+Arguments and files are those of robonewbie.train. Each match draws its opponent from the pool. When the policy scores enough in its last
+matches, a snapshot of it joins the pool, as a file in the folder TASK.policy.pool. TASK.policy.elo.csv has the Elo ratings from all matches
+played, where zero actions have 1000. At the end, the policy plays 100 new matches against each of the pool.
 """
 
 from __future__ import annotations
@@ -110,8 +110,7 @@ class Games(SharedVecEnv):
         super().__init__(num_matches * len(sides[0]), self.matches.observation_space(agents[0]), self.matches.action_space(agents[0]))
 
     def _drawn(self, count):
-        newest = len(self.pool) - 1
-        return np.where(self._random.random(count) < 0.5, newest, self._random.integers(len(self.pool), size=count))
+        return self._random.integers(len(self.pool), size=count)
 
     def _of(self, robots, by_agent):
         """Returns the rows of the given robots of each match."""

@@ -65,7 +65,7 @@ TASKS = {
 # Matches, which robonewbie.selfplay trains.
 MATCHES = {
     "Match1v1": Settings(
-        600_000,
+        920_000,
         "--n-envs 64 --n-steps 32 --batch-size 256 --n-epochs 10 --learning-rate 0.001 --gamma 0.99"
         f" --log-std-init {_log_std(0.6)} --net-arch 32 32 --symmetric",
         ("seconds=60",),

@@ -17,14 +17,14 @@ import org.robonewbie.trial.WorldState;
 /**
  * Matches of two agents until the first goal, with noise and without a kick-off. Both start equally far from the ball in the centre, up to
  * 5 m away, on sides that the seed decides. The parameters {@code agent} and {@code opponent} are names of classes, {@code seconds} is the
- * longest duration (120).
+ * longest duration (300).
  */
 public final class MatchExperiment implements Experiment {
 
     private static final String AGENT = "agent";
     private static final String OPPONENT = "opponent";
     private static final String SECONDS = "seconds";
-    private static final double DEFAULT_SECONDS = 120;
+    private static final double DEFAULT_SECONDS = 300;
     private static final double MIN_METRES = 0.8;
     private static final double MAX_METRES = 5;
     private static final double ASIDE_METRES = 0.5;
