@@ -122,8 +122,8 @@ export class ProgramServer {
 
 /** @param {string | null} example null or empty for the shortest program @param {string} name @returns {Promise<Response>} the source of a new program */
 async function newProgram(example, name) {
-  const template = await fetch(`examples/new/${example || TEMPLATE}.java`);
-  return template.ok
-    ? new Response((await template.text()).replaceAll(TEMPLATE, () => name))
+  const answer = await fetch(`examples/new/${example || TEMPLATE}.java`);
+  return answer.ok
+    ? new Response((await answer.text()).replaceAll(TEMPLATE, () => name))
     : new Response(`There is no program "${example}".`, { status: 404 });
 }
