@@ -8,6 +8,7 @@ import org.robonewbie.agent.policy.InferenceSession;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * A policy that plays soccer with the walk: it observes where the ball, the goals and the other robots are, and chooses a velocity.
@@ -90,7 +91,8 @@ public final class SoccerPolicy {
         all[0] = fallen ? 1 : 0;
         for (int i = 0; i < points.size(); i++) {
             Vector3 point = points.get(i);
-            double factor = 1 / (Math.hypot(point.x(), point.y()) + HALF_WAY_METRES);
+            double metres = new Translation2d(point.x(), point.y()).length();
+            double factor = 1 / (metres + HALF_WAY_METRES);
             all[1 + 2 * i] = factor * point.x();
             all[2 + 2 * i] = factor * point.y();
         }
