@@ -17,6 +17,17 @@ from robonewbie.environment import EpisodeSeeds, SimulatedTask
 from robonewbie.simulator import RESET, STEP_AND_RESET, TRUNCATED, RoboNewbieError
 
 
+def stacked(actions: dict[str, np.ndarray], agents: list[str], axis: int = 0) -> np.ndarray:
+    """Returns the actions of all agents in one array, in their order along an axis.
+
+    :raises RoboNewbieError: if there is no action for one of them
+    """
+    missing = [agent for agent in agents if agent not in actions]
+    if missing:
+        raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action for every robot.")
+    return np.stack([actions[agent] for agent in agents], axis=axis)
+
+
 class Matches(SimulatedTask):
     """Matches in one simulator. A match that is over begins again in the same step; ``infos`` then has its last observation under ``final_obs``.
 
@@ -49,10 +60,7 @@ class Matches(SimulatedTask):
 
     def step(self, actions: dict[str, np.ndarray]):
         """Returns observations, rewards, terminations, truncations and infos; each is a dictionary by agent, with arrays."""
-        missing = [agent for agent in self.agents if agent not in actions]
-        if missing:
-            raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action for every robot.")
-        rows = np.stack([actions[agent] for agent in self.agents], axis=1).reshape(-1, len(self.action_names))
+        rows = stacked(actions, self.agents, axis=1).reshape(-1, len(self.action_names))
         observation, reward, terminated = self._act(STEP_AND_RESET, self._next, rows)
         truncated = self._rows(self._connection.state == TRUNCATED)
         terminated = self._rows(terminated)

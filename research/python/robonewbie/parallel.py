@@ -16,6 +16,7 @@ from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from robonewbie.environment import CYCLES_PER_SECOND, RENDER_MODES, SEED_LIMIT, SimulatedTask
+from robonewbie.matches import stacked
 from robonewbie.simulator import RESET, STEP, TRUNCATED, RoboNewbieError
 
 
@@ -59,10 +60,7 @@ class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
     ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         if not self.agents:
             raise RoboNewbieError("The match is over. Call reset().")
-        missing = [agent for agent in self.agents if agent not in actions]
-        if missing:
-            raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action for every robot.")
-        rows = np.stack([actions[agent] for agent in self.possible_agents])
+        rows = stacked(actions, self.possible_agents)
         observation, reward, terminated = self._connection.act(STEP, 0, rows)
         truncated = self._connection.state == TRUNCATED
         results = (

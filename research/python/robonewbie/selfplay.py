@@ -229,7 +229,9 @@ def play(task: str, policy: PlayedPolicy, opponent: Player, games: int = GAMES, 
 
 def main(words: list[str] | None = None) -> None:
     """Runs the command line."""
-    training = train.trained(SelfPlay, train._arguments(words, "selfplay", MATCHES))
+    parser = train.argument_parser("selfplay", MATCHES, GAMES)
+    parser.add_argument("--opponent", type=Path, action="append", default=[], metavar="FILE", help="policy file that joins the pool")
+    training = train.trained(SelfPlay, train.arguments(words, parser, MATCHES))
     wanted = training.wanted
     if wanted.n_eval_episodes > 0:
         policy = PlayedPolicy(wanted.out.read_text(encoding="utf-8"))

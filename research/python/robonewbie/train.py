@@ -149,7 +149,8 @@ def options_of(words):
     return options
 
 
-def _arguments(words, program="train", tasks=settings.TASKS):
+def argument_parser(program="train", tasks=settings.TASKS, episodes=128):
+    """Returns the parser for a program that trains some tasks, and evaluates the policy in a number of episodes at the end."""
     parser = argparse.ArgumentParser(
         prog=f"python -m robonewbie.{program}",
         description="Trains a policy for a task by PPO. Parameters are named as in Stable-Baselines3. "
@@ -176,10 +177,13 @@ def _arguments(words, program="train", tasks=settings.TASKS):
     parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
     parser.add_argument("--out", type=Path, help="file of the policy (default: TASK.policy)")
     parser.add_argument("--resume", action="store_true", help="resume an interrupted training run")
-    if program == "selfplay":
-        parser.add_argument("--opponent", type=Path, action="append", default=[], metavar="FILE", help="policy file that joins the pool")
-    episodes = 100 if program == "selfplay" else 128
     parser.add_argument("--n-eval-episodes", type=int, default=episodes, help=f"episodes of the evaluation at the end; 0 for none (default: {episodes})")
+    return parser
+
+
+def arguments(words, parser=None, tasks=settings.TASKS):
+    """Parses a command line. The best known settings of the task are the defaults."""
+    parser = parser or argument_parser()
     task = parser.parse_args(words).task
     known = tasks[task].words if task in tasks else []
     wanted = parser.parse_args(words, parser.parse_args([task, *known]))
@@ -370,7 +374,7 @@ def indices_of(description, inputs):
 
 def main(words=None):
     """Runs the command line."""
-    training = trained(Training, _arguments(words))
+    training = trained(Training, arguments(words))
     if training.wanted.n_eval_episodes > 0:
         from robonewbie import evaluate
 

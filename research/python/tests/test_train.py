@@ -126,9 +126,9 @@ class TrainTest(unittest.TestCase):
                 train.options_of([wrong])
 
     def test_arguments_have_the_best_known_values_unless_given(self):
-        known = train._arguments(["KickTo"])
-        given = train._arguments(["KickTo", "--gamma", "0.9", "--net-arch", "8", "--option", "cycles=2", "--option", "friction=0.5..2"])
-        other = train._arguments(["GetUp"])
+        known = train.arguments(["KickTo"])
+        given = train.arguments(["KickTo", "--gamma", "0.9", "--net-arch", "8", "--option", "cycles=2", "--option", "friction=0.5..2"])
+        other = train.arguments(["GetUp"])
 
         self.assertEqual((known.n_envs, known.gamma, known.options, known.total_timesteps), (256, 1, {"cycles": 5}, 300_000))
         self.assertEqual((given.n_envs, given.gamma, given.net_arch), (256, 0.9, [8]))
@@ -165,7 +165,7 @@ class TrainTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder, "my.policy")
             words = ["Stand", "--n-envs", "2", "--net-arch", "--inputs", "gyro.*", "--option", "cycles=2", "--out", str(out)]
-            begun = train.Training(train._arguments(words))
+            begun = train.Training(train.arguments(words))
             policy = evaluate.PlayedPolicy(begun.text())
             begun.task.close()
 
@@ -216,7 +216,7 @@ class TrainTest(unittest.TestCase):
                 train.main([*words, "--total-timesteps", "64"])
             train.main([*words, "--total-timesteps", "256", "--resume"])
 
-            training = train.Training(train._arguments([*words, "--resume"]))
+            training = train.Training(train.arguments([*words, "--resume"]))
             self.assertEqual(training.model.num_timesteps, 256)
             self.assertEqual(training.task._seeds, [10_000_256, 10_000_257])
             raw = training.normalised.venv.reset()[0]
@@ -232,7 +232,7 @@ class TrainTest(unittest.TestCase):
             out = Path(folder, "my.policy")
             words = ["Walk", "--n-envs", "4", "--n-steps", "32", "--batch-size", "32", "--net-arch", "8", "4", "--n-eval-episodes", "0", "--out", str(out)]
             train.main([*words, "--symmetric", "--total-timesteps", "256"])
-            training = train.Training(train._arguments([*words, "--symmetric", "--resume"]))
+            training = train.Training(train.arguments([*words, "--symmetric", "--resume"]))
             indices, signs = training.task.observation_mirror
             action_indices, action_signs = training.task.action_mirror
             training.task.close()

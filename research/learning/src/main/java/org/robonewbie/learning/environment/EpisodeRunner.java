@@ -40,9 +40,8 @@ final class EpisodeRunner implements Controller {
      */
     private static final int NOISY_READINGS = Joint.COUNT + 6;
 
-    private static final List<ObservedQuantity> GAIT = GaitObservation.INPUTS.stream()
-            .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), GaitObservation.MAX))
-            .toList();
+    private static final List<ObservedQuantity> GAIT =
+            ObservedQuantity.symmetric(GaitObservation.INPUTS, GaitObservation.MAX);
 
     private final TrainingTask task;
     private final Measure measure;
@@ -168,14 +167,14 @@ final class EpisodeRunner implements Controller {
     /** Adds the reward for a cycle and updates the observation. */
     void see(WorldState now, SensorReadings readings) {
         double before = value;
-        perceived = perception.observe(readings);
-        task.feel(Perception.leftFoot(perceived), Perception.rightFoot(perceived));
+        task.feel(readings.feet());
         task.see(now);
         if (measure != task) {
             measure.see(now);
         }
         value = measure.isLargerBetter() ? measure.value() : -measure.value();
         reward += value - before;
+        perceived = perception.observe(readings);
         for (int i = 0; i < NOISY_READINGS && noiseSigma > 0; i++) {
             perceived[i] += noiseSigma * noise.nextGaussian();
         }

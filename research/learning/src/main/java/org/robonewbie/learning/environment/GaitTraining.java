@@ -3,7 +3,6 @@ package org.robonewbie.learning.environment;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
-import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.WalkVelocity;
@@ -12,6 +11,7 @@ import org.robonewbie.learning.environment.DomainRandomization.Range;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
@@ -249,8 +249,8 @@ final class GaitTraining extends CommandedTraining {
     }
 
     @Override
-    void feel(FootPressure left, FootPressure right) {
-        if (!hasFallen() && !left.isTouching() && !right.isTouching()) {
+    void feel(FootForces feet) {
+        if (!hasFallen() && feet.left().isEmpty() && feet.right().isEmpty()) {
             totalReward -= flightCost * Cycle.SECONDS;
         }
     }

@@ -202,9 +202,7 @@ final class MatchTraining extends TrainingTask {
 
     @Override
     public List<ObservedQuantity> extraQuantities() {
-        return SoccerPolicy.inputs(ownTeam() - 1, learners() - ownTeam()).stream()
-                .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), 1))
-                .toList();
+        return ObservedQuantity.symmetric(SoccerPolicy.inputs(ownTeam() - 1, learners() - ownTeam()), 1);
     }
 
     private int ownTeam() {

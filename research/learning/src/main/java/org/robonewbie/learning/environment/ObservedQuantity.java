@@ -32,6 +32,13 @@ public record ObservedQuantity(String name, String unit, double least, double gr
         return new ObservedQuantity(name, unit, -max, max);
     }
 
+    /** Describes the inputs of a policy, whose absolute values are at most {@code max}. */
+    static List<ObservedQuantity> symmetric(List<Quantity> inputs, double max) {
+        return inputs.stream()
+                .map(input -> symmetric(input.name(), input.unit(), max))
+                .toList();
+    }
+
     /** Returns the same quantity in the observation of an earlier action: {@code gyro.left@-1} is one action old. */
     ObservedQuantity ago(int actions) {
         return actions == 0

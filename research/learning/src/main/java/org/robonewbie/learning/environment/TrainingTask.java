@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.walk.GaitObservation;
@@ -20,6 +19,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
+import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
@@ -262,8 +262,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         rejectAllBut(options, Set.of());
     }
 
-    /** Receives the pressure on the soles in each cycle, before the task sees the world. Most tasks ignore it. */
-    void feel(FootPressure left, FootPressure right) {}
+    /** Receives the contact forces on the feet in each cycle, before the task sees the world. Most tasks ignore them. */
+    void feel(FootForces feet) {}
 
     /** Throws an exception if an option that affects a gait is set, except those that the task knows. */
     static void rejectAllBut(DomainRandomization options, Set<Name> known) {

@@ -25,9 +25,8 @@ import org.robonewbie.nao.motion.PostureFollower;
 final class WalkGuide {
 
     /** Components of the observation. */
-    static final List<ObservedQuantity> QUANTITIES = ResidualPolicy.INPUTS.stream()
-            .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), ResidualPolicy.MAX_INPUT))
-            .toList();
+    static final List<ObservedQuantity> QUANTITIES =
+            ObservedQuantity.symmetric(ResidualPolicy.INPUTS, ResidualPolicy.MAX_INPUT);
 
     private static final double DEFAULT_EASING = 4;
 
