@@ -1,5 +1,6 @@
 /** The browser of the page tests: Chromium, or Firefox if the environment variable BROWSER is `firefox`. */
-import { existsSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
 import { after } from 'node:test';
 import puppeteer, { Puppeteer } from 'puppeteer-core';
@@ -24,8 +25,13 @@ const PATIENCE_MILLIS = 1000 * Number(process.env.PATIENCE ?? 60);
 const EXPECTED = /GPU stall due to ReadPixels/;
 const THIS_COMPUTER = /^(https?:\/\/(127\.0\.0\.1|localhost)[:/]|file:|data:|blob:|about:|chrome:)/;
 
+/** Folder into which Firefox saves files without asking. */
+export const FIREFOX_DOWNLOADS = mkdtempSync(join(tmpdir(), 'downloads-'));
+const FIREFOX_PREFERENCES = { 'browser.download.folderList': 2, 'browser.download.dir': FIREFOX_DOWNLOADS };
+
 let shared;
 after(() => shared?.close());
+after(() => rmSync(FIREFOX_DOWNLOADS, { recursive: true, force: true }));
 
 // Firefox needs a second or two to search its accessibility tree, which leaves out shadow trees.
 Puppeteer.registerCustomQueryHandler('markup', { queryAll: withMarkup });
@@ -34,15 +40,24 @@ Puppeteer.registerCustomQueryHandler('markup', { queryAll: withMarkup });
 function withMarkup(root, roleAndName) {
   const [, role, name] = roleAndName.match(/(\S+) (.*)/);
   const elements = {
+    DisclosureTriangle: 'summary',
     button: 'button',
+    checkbox: 'input[type=checkbox]',
     combobox: 'select:not([size])',
     heading: 'h1',
     link: 'a',
     list: 'ol, ul',
     listbox: 'select[size]',
+    textbox: 'input:is([type=text], :not([type])), textarea',
+  };
+  const labelOf = (field) => {
+    const label = field.labels[0].cloneNode(true);
+    label.querySelectorAll('input, select, textarea').forEach((each) => each.remove());
+    return label.textContent;
   };
   const hasRole = (each) => (each.role ? each.role === role : each.matches(elements[role] ?? ':not(*)'));
-  const isNamed = (each) => (each.ariaLabel ?? each.textContent.trim()) === name;
+  const nameOf = (each) => each.ariaLabel ?? (each.labels?.length ? labelOf(each) : (each.innerText ?? ''));
+  const isNamed = (each) => nameOf(each).replace(/\s+/g, ' ').trim() === name;
   const all = (tree) =>
     [...tree.querySelectorAll('*')].flatMap((each) => [each, ...(each.shadowRoot ? all(each.shadowRoot) : [])]);
   return all(root).filter((each) => hasRole(each) && isNamed(each) && each.checkVisibility());
@@ -67,7 +82,7 @@ export function launch({ inFirefox = isFirefox, flags = [], preferences = {}, pr
     browser: inFirefox ? 'firefox' : 'chrome',
     executablePath: programOf(inFirefox ? FIREFOX : CHROMIUM),
     args: inFirefox ? flags : [...CHROMIUM_FLAGS, ...flags],
-    extraPrefsFirefox: preferences,
+    extraPrefsFirefox: { ...FIREFOX_PREFERENCES, ...preferences },
     userDataDir: profile,
   });
 }

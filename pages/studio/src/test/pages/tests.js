@@ -13,6 +13,9 @@ export const quickInBoth = tests('quick', 'firefox');
 /** Defines a test that takes longer or varies a quick one. */
 export const slow = tests('slow');
 
+/** Defines a slow test that Firefox runs too. */
+export const slowInBoth = tests('slow', 'firefox');
+
 /** Defines a slow test that takes a picture for the documentation, which has the name of its file in `docs/images`. */
 export const picture = tests('slow', 'picture');
 

@@ -1,10 +1,10 @@
 /** A person before a page, who sees what is visible and uses what has a role and a name. */
 import assert from 'node:assert/strict';
-import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { openPage } from './browser.js';
+import { FIREFOX_DOWNLOADS, openPage } from './browser.js';
 import { folderWith, openStage } from './stage.js';
 import { serve } from './static-server.js';
 import { atEnd } from './tests.js';
@@ -309,8 +309,26 @@ class User {
     );
   }
 
-  /** Returns the name and the bytes of the file that an action saves on this computer; in Chromium only. */
+  /** Returns the name and the bytes of the file that an action saves on this computer. */
   async downloads(action) {
+    return this.#isFirefox ? this.#downloadsInFirefox(action) : this.#downloadsInChromium(action);
+  }
+
+  async #downloadsInFirefox(action) {
+    await action();
+    let files = [];
+    const isComplete = async () => {
+      files = await readdir(FIREFOX_DOWNLOADS);
+      return files.length === 1 && !files[0].endsWith('.part');
+    };
+    await this.until(isComplete, () => `downloads a file; the folder contains ${files.join(', ') || 'nothing'}`);
+    const [name] = files;
+    const bytes = await readFile(join(FIREFOX_DOWNLOADS, name));
+    await rm(join(FIREFOX_DOWNLOADS, name));
+    return { name, bytes };
+  }
+
+  async #downloadsInChromium(action) {
     const folder = await mkdtemp(join(tmpdir(), 'download-'));
     const session = await this.page.createCDPSession();
     try {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { gunzipSync, gzipSync } from 'node:zlib';
 import { solution } from '../solutions.js';
-import { slow } from '../tests.js';
+import { slow, slowInBoth } from '../tests.js';
 import { openWebEdition } from '../user.js';
 
 const FILE = 'RaiseArms.java';
@@ -100,7 +100,7 @@ slow('a long submission is a file', async (t) => {
   assert.equal(unpacked(bytes).files[FILE], program);
 });
 
-slow('the programs of five students are graded', async (t) => {
+slowInBoth('the programs of five students are graded', async (t) => {
   const copy = GOOD.replaceAll('hold', 'raise').replaceAll('error', 'rest');
   const cora = link('Cora', GOOD.replace('60);', '60)'), 'fly-to-the-moon');
   const { user } = await openWebEdition(t, { to: link('Anna', GOOD) });
