@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentPlan;
@@ -56,9 +57,8 @@ final class ExperimentCommand implements Callable<Integer> {
     @Option(
             names = "--output",
             paramLabel = "FILE",
-            defaultValue = "experiment.csv",
-            description = "Table to write, .csv or .json (default: experiment.csv).")
-    private Path output = Path.of("experiment.csv");
+            description = "Table to write, .csv or .json (default: the name of the plan with .csv, in this folder).")
+    private Optional<Path> output = Optional.empty();
 
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
@@ -83,9 +83,13 @@ final class ExperimentCommand implements Callable<Integer> {
 
     /** Runs the missing trials; the journal beside the table is deleted when the table is complete. */
     private int run(ExperimentPlan plan, BatchRunner runner) throws IOException {
+        Path table = output.orElseGet(this::namedAfterThePlan);
+        if (Files.exists(table) && Files.isSameFile(table, planFile)) {
+            throw new CalledWronglyException("The table would replace the plan. Choose another file with --output.");
+        }
         Experiment experiment = Experiment.of(plan.experiment());
         experiment.parameters().ifPresent(plan::requireKnown);
-        Path journal = output.resolveSibling(output.getFileName() + ".trials");
+        Path journal = table.resolveSibling(table.getFileName() + ".trials");
         try (ExperimentRun run = ExperimentRun.open(journal, plan)) {
             int missing = run.missing().size();
             int done = plan.trials() - missing;
@@ -95,9 +99,9 @@ final class ExperimentCommand implements Callable<Integer> {
             try (BatchProgress progress = BatchProgress.of("trials", plan.trials(), done)) {
                 run.run(runner, progress);
             }
-            ResultTable table = run.table(experiment.columns());
-            table.write(output);
-            System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
+            ResultTable results = run.table(experiment.columns());
+            results.write(table);
+            System.out.println("Wrote " + results.trials().size() + " trials to " + table + ".");
             if (run.failures().isEmpty()) {
                 run.delete();
                 return ExitCode.OK;
@@ -107,5 +111,9 @@ final class ExperimentCommand implements Callable<Integer> {
                     + " trials failed (see above). To retry them, run the command again; the other results are kept.");
             return ExitCode.SOFTWARE;
         }
+    }
+
+    private Path namedAfterThePlan() {
+        return Path.of(planFile.getFileName().toString().replaceFirst("\\.[^.]*$", "") + ".csv");
     }
 }

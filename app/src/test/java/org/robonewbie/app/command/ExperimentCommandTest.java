@@ -110,6 +110,18 @@ class ExperimentCommandTest {
     }
 
     @Test
+    void tableDoesNotReplaceThePlan() throws IOException {
+        String text = "experiment=" + FailsForTwo.class.getName() + "\ntrials=1\na=1\n";
+        Path plan = Files.writeString(folder.resolve("x.csv"), text);
+
+        Printed printed = Printed.by("experiment", plan.toString(), "--output", plan.toString());
+
+        assertThat(printed.exitCode()).isEqualTo(2);
+        assertThat(printed.err()).contains("would replace the plan");
+        assertThat(plan).hasContent(text);
+    }
+
+    @Test
     void tableThatCannotBeWrittenIsToldBeforeTheFirstTrial() throws IOException {
         Path plan = Files.writeString(
                 folder.resolve("x.plan"), "experiment=" + FailsForTwo.class.getName() + "\ntrials=1\na=2\n");

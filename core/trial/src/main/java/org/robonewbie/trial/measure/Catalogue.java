@@ -39,6 +39,16 @@ public final class Catalogue<T> {
     }
 
     /**
+     * Creates a registry for which the framework has no factories.
+     *
+     * @param kind word for the created objects in messages
+     * @param type type of the created objects
+     */
+    public Catalogue(String kind, Class<T> type) {
+        this(kind, type, Map.of());
+    }
+
+    /**
      * Looks up a factory.
      *
      * @param name a registered name, the simple name of a class provided by a jar, or the full name of a class with a public
@@ -67,9 +77,10 @@ public final class Catalogue<T> {
             throw new IllegalArgumentException(
                     "There is no " + kind + " \"" + name + "\"."
                             + Spelling.question(name, all.keySet())
-                            + " Available: " + names() + ". A class of your own must "
-                            + (type.isInterface() ? "implement " : "extend ") + type.getSimpleName()
-                            + " and have a public constructor without parameters.",
+                            + (all.isEmpty() ? "" : " Available: " + names() + ".")
+                            + " A class of your own must " + (type.isInterface() ? "implement " : "extend ")
+                            + type.getSimpleName()
+                            + ", have a public constructor without parameters, and be on the class path.",
                     none);
         }
     }

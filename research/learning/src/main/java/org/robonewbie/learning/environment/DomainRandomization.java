@@ -80,7 +80,7 @@ public final class DomainRandomization {
         FLIGHT("in gait tasks: cost of a second without a foot on the ground (0)", 0, MAX),
         TYPE("in gait tasks: robot type (0..4: in turn)", 0, 4, true),
         SECONDS(
-                "in gait tasks, Walk and matches: longest duration of an episode, seconds (9, in Walk 20, in matches 40)",
+                "longest duration of an episode, seconds (10; in gait tasks 9, in Walk 20, in matches 40, in Kick and motions theirs)",
                 0.02,
                 MAX),
         STRENGTH("factor for the maximum torque of the motors (1), drawn for each joint", 0.01, 100),
@@ -258,11 +258,11 @@ public final class DomainRandomization {
         return range(name).map(Range::low).orElse(defaultValue);
     }
 
-    /** Returns the cycles of the option {@code seconds}, or the usual ones. */
-    int longestCycles(int usual) {
+    /** Returns the cycles of the option {@code seconds}, or those of the task. */
+    int longestCycles(TrainingTask task) {
         return range(Name.SECONDS)
                 .map(seconds -> (int) Math.round(seconds.low() / Cycle.SECONDS))
-                .orElse(usual);
+                .orElseGet(task::longestCycles);
     }
 
     /**

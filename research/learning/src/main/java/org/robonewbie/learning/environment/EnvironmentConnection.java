@@ -183,7 +183,7 @@ final class EnvironmentConnection {
         JsonObject all = new JsonObject();
         all.addProperty("task", spec.task());
         all.addProperty("reward", spec.reward());
-        all.addProperty("longestCycles", task.longestCycles());
+        all.addProperty("longestCycles", environment.longestCycles());
         all.addProperty("cycles", environment.cyclesPerAction());
         all.addProperty("actionLimit", task.actionLimit());
         all.add(

@@ -43,7 +43,7 @@ final class GaitTraining extends CommandedTraining {
     private double toleratedMetresPerSecond;
     private double constantShare = 0.4;
     private double flightCost;
-    private int longestCycles = 450;
+    private int cyclesOfEpisode;
     private Range types = new Range(0, 0);
     private Optional<Policy> policy = Optional.empty();
 
@@ -115,7 +115,7 @@ final class GaitTraining extends CommandedTraining {
         toleratedMetresPerSecond = options.of(Name.TOLERANCE, toleratedMetresPerSecond);
         constantShare = options.of(Name.CONSTANT, constantShare);
         flightCost = options.of(Name.FLIGHT, flightCost);
-        longestCycles = options.longestCycles(longestCycles);
+        cyclesOfEpisode = options.longestCycles(this);
         types = options.range(Name.TYPE).orElse(types);
     }
 
@@ -141,7 +141,7 @@ final class GaitTraining extends CommandedTraining {
 
     @Override
     public int longestCycles() {
-        return longestCycles;
+        return 450;
     }
 
     @Override
@@ -258,7 +258,7 @@ final class GaitTraining extends CommandedTraining {
     @Override
     protected void see(WorldState first, WorldState now) {
         if (hasFallen()) {
-            fallCost = fallCost > 0 ? fallCost : FALL_PENALTY + (longestCycles - cycle() + 1) / (double) WINDOW;
+            fallCost = fallCost > 0 ? fallCost : FALL_PENALTY + (cyclesOfEpisode - cycle() + 1) / (double) WINDOW;
         } else if (cycle() % WINDOW == 0) {
             endWindow(now);
         }

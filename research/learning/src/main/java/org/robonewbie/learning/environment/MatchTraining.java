@@ -2,10 +2,8 @@ package org.robonewbie.learning.environment;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.walk.SoccerPolicy;
-import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
@@ -47,7 +45,6 @@ final class MatchTraining extends TrainingTask {
     private final int left;
     private WorldState now = EMPTY;
     private Pose2d error = Pose2d.ORIGIN;
-    private int longestCycles = 2000;
     private int cycles;
     private int falls;
     private boolean lying;
@@ -112,12 +109,6 @@ final class MatchTraining extends TrainingTask {
     }
 
     @Override
-    void configure(DomainRandomization options) {
-        rejectAllBut(options, Set.of(Name.SECONDS));
-        longestCycles = options.longestCycles(longestCycles);
-    }
-
-    @Override
     public boolean steersWalk() {
         return true;
     }
@@ -139,7 +130,7 @@ final class MatchTraining extends TrainingTask {
 
     @Override
     public int longestCycles() {
-        return longestCycles;
+        return 2000;
     }
 
     /** Scatters ball and robots; both teams start equally far back. In half of the matches, the ball lies anywhere. */

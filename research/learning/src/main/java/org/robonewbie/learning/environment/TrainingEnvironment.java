@@ -261,7 +261,12 @@ public final class TrainingEnvironment implements AutoCloseable {
 
     /** {@return whether the episode has reached its maximum length} */
     public boolean isTruncated() {
-        return cycles >= task().longestCycles();
+        return cycles >= longestCycles();
+    }
+
+    /** Returns the number of cycles after which an episode is truncated. */
+    int longestCycles() {
+        return options.longestCycles(task());
     }
 
     @Override

@@ -267,7 +267,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
 
     /** Throws an exception if an option that affects a gait is set, except those that the task knows. */
     static void rejectAllBut(DomainRandomization options, Set<Name> known) {
-        Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.FLIGHT, Name.TYPE, Name.SECONDS)
+        Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.FLIGHT, Name.TYPE)
                 .filter(name -> !known.contains(name) && options.range(name).isPresent())
                 .findFirst()
                 .ifPresent(name -> {

@@ -38,7 +38,6 @@ final class WalkTraining extends TrainingTask {
     private static final double HEADING_UNIT_DEGREES = 30;
 
     private double maxPaidMetresPerSecond = 0.6;
-    private int longestCycles = 1000;
     private double degreesAside;
     private double headingErrorDegrees;
     private int cycles;
@@ -48,14 +47,13 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     void configure(DomainRandomization options) {
-        rejectAllBut(options, Set.of(Name.SPEED, Name.SECONDS));
+        rejectAllBut(options, Set.of(Name.SPEED));
         maxPaidMetresPerSecond = options.of(Name.SPEED, maxPaidMetresPerSecond);
-        longestCycles = options.longestCycles(longestCycles);
     }
 
     @Override
     public int longestCycles() {
-        return longestCycles;
+        return 1000;
     }
 
     @Override

@@ -15,12 +15,14 @@ import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.TunableNumber;
 import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.measure.Catalogue;
 
 /** Parameters of an agent: the numbers that its program declares with {@code number(...)}. */
 public final class AgentParametrization implements Parametrization {
 
     private static final int DIGITS_OF_RANGE = 3;
     private static final double OUT_OF_RANGE_COST = 0.1;
+    private static final Catalogue<Agent> AGENTS = new Catalogue<>("agent", Agent.class);
 
     private final String name;
     private final Supplier<Agent> factory;
@@ -100,22 +102,7 @@ public final class AgentParametrization implements Parametrization {
         AgentScene knownScene = scene;
         String label = objective.label();
         return classes -> new AgentParametrization(
-                className, () -> agent(className, classes), Objective.named(label, classes), knownScene, knownNumbers);
-    }
-
-    private static Agent agent(String className, ClassLoader classes) {
-        try {
-            return Class.forName(className, true, classes)
-                    .asSubclass(Agent.class)
-                    .getConstructor()
-                    .newInstance();
-        } catch (ReflectiveOperationException | ClassCastException wrong) {
-            throw new IllegalArgumentException(
-                    "The agent " + className + " cannot be created on a worker (" + wrong
-                            + "). Its class must be public, have a public constructor without parameters, and be in a jar"
-                            + " that is sent to the workers.",
-                    wrong);
-        }
+                className, AGENTS.named(className, classes), Objective.named(label, classes), knownScene, knownNumbers);
     }
 
     @Override

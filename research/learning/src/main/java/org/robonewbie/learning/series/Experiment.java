@@ -3,6 +3,7 @@ package org.robonewbie.learning.series;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robonewbie.trial.measure.Catalogue;
 
 /**
  * Experiment whose trials form a series. An implementation must have a public no-arg constructor. Trials may run in parallel or on other
@@ -67,18 +68,9 @@ public interface Experiment {
      * @throws IllegalArgumentException if the class is not an experiment
      */
     static Experiment of(String className) {
-        try {
-            ClassLoader loader = Thread.currentThread().getContextClassLoader();
-            return Class.forName(className, true, loader)
-                    .asSubclass(Experiment.class)
-                    .getConstructor()
-                    .newInstance();
-        } catch (ReflectiveOperationException | ClassCastException wrong) {
-            throw new IllegalArgumentException(
-                    className + " is not an experiment (" + wrong
-                            + "). Name a public class (with its package) that implements Experiment and has a"
-                            + " public constructor without parameters, and pass its folder or jar with --class-path.",
-                    wrong);
-        }
+        ClassLoader classes = Thread.currentThread().getContextClassLoader();
+        return new Catalogue<>("experiment", Experiment.class)
+                .named(className, classes)
+                .get();
     }
 }

@@ -13,6 +13,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.Catalogue;
 
 /**
  * Matches of two agents until the first goal, with noise and without a kick-off. Both start equally far from the ball in the centre, up to
@@ -77,13 +78,11 @@ public final class MatchExperiment implements Experiment {
                 .withTeam(team, 1);
     }
 
-    private static Agent agent(String parameter, Map<String, String> texts) throws ReflectiveOperationException {
+    private static Agent agent(String parameter, Map<String, String> texts) {
         String name = Optional.ofNullable(texts.get(parameter))
                 .orElseThrow(() -> new IllegalArgumentException("The plan names no " + parameter
                         + ". Add a line such as " + parameter + "=org.robonewbie.examples.Agent_Dummy."));
-        return Class.forName(name, true, Thread.currentThread().getContextClassLoader())
-                .asSubclass(Agent.class)
-                .getConstructor()
-                .newInstance();
+        ClassLoader classes = Thread.currentThread().getContextClassLoader();
+        return new Catalogue<>("agent", Agent.class).named(name, classes).get();
     }
 }

@@ -141,7 +141,8 @@ class ExperimentRunTest {
         assertThatThrownBy(() -> plan("trials=3"))
                 .hasMessageEndingWith("a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to 100000000; "
                         + "this one has \"\" and 3.");
-        assertThatThrownBy(() -> Experiment.of("java.lang.String")).hasMessageContaining("is not an experiment");
+        assertThatThrownBy(() -> Experiment.of("java.lang.String"))
+                .hasMessageContaining("There is no experiment \"java.lang.String\".");
     }
 
     @Test

@@ -27,4 +27,13 @@ class MatchExperimentTest {
         assertThatThrownBy(() -> new MatchExperiment().run(Map.of(), 1))
                 .hasMessageStartingWith("The plan names no agent");
     }
+
+    @Test
+    void unknownAgentIsNamed() {
+        Map<String, String> agents = Map.of("agent", Idle.class.getName(), "opponent", "org.example.Agent_Dumy");
+
+        assertThatThrownBy(() -> new MatchExperiment().run(Map.of(), agents, 1))
+                .hasMessageStartingWith(
+                        "There is no agent \"org.example.Agent_Dumy\". A class of your own must extend Agent");
+    }
 }
