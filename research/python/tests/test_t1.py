@@ -72,14 +72,14 @@ class RobotTest(unittest.TestCase):
         targets = robot.target_degrees(np.zeros((2, 12)), np.array([[1, 0], [-0.5, 0]]), np.zeros((2, 3)))
 
         left, right = targets[:, 11:17] - robot.STANCE_DEGREES[11:17], targets[:, 17:] - robot.STANCE_DEGREES[17:]
-        np.testing.assert_allclose(left, [[-8, 0, 0, 16, -8, 0], [0] * 6])
-        np.testing.assert_allclose(right, [[0] * 6, [-4, 0, 0, 8, -4, 0]])
+        np.testing.assert_allclose(left, [[-14, 1.2, 0, 28, -14, -0.72], [0, -0.6, 0, 0, 0, 0.36]])
+        np.testing.assert_allclose(right, [[0, 1.2, 0, 0, 0, -0.72], [-7, -0.6, 0, 14, -7, 0.36]])
 
     def test_legs_swing_by_command(self):
         targets = robot.target_degrees(np.zeros((1, 12)), np.array([[0, 1]]), np.array([[0.6, 0, 45]]))
 
-        np.testing.assert_allclose(targets[0, 11:17] - robot.STANCE_DEGREES[11:17], [9, 0, -12, 0, -6.3, 0])
-        np.testing.assert_allclose(targets[0, 17:] - robot.STANCE_DEGREES[17:], [-9, 0, 12, 0, 6.3, 0])
+        np.testing.assert_allclose(targets[0, 11:17] - robot.STANCE_DEGREES[11:17], [3, -1.6, -6, 0, -2.1, 0.96])
+        np.testing.assert_allclose(targets[0, 17:] - robot.STANCE_DEGREES[17:], [-3, -1.6, 6, 0, 2.1, 0.96])
 
     def test_command_changes_within_half_a_second(self):
         command, wanted = np.zeros((1, 3)), np.array([[0.6, -0.3, 10]])
@@ -177,11 +177,11 @@ class TrainingTest(unittest.TestCase):
             self.assertEqual(first.model.num_timesteps, 0)
             with contextlib.redirect_stdout(io.StringIO()) as printed:
                 first.run()
-            self.assertIn("640 actions: reward", printed.getvalue())
+            self.assertIn("1280 actions: reward", printed.getvalue())
 
             again = Training(out, total=3000, robots=2, resume=True)
             self.addCleanup(again.model.env.close)
-            self.assertEqual(again.model.num_timesteps, 640)
+            self.assertEqual(again.model.num_timesteps, 1280)
 
             observed = np.random.default_rng(1).normal(0, 3, (100, environment.INPUTS + environment.PRIVILEGED)).astype(np.float32)
             clipped = observed.clip(-robot.OBSERVATION_LIMIT, robot.OBSERVATION_LIMIT)

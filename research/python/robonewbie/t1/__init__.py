@@ -26,13 +26,13 @@ How a policy is played, which :mod:`robonewbie.t1.player` does in 40 lines:
 **Every second cycle** (``cycles-per-action``), beginning with the first:
 
 1. Limit the wanted command (forward, left in m/s, turn to the left in degrees/s) as ``WalkVelocity.within`` does, and move the command, (0, 0, 0) at first,
-   towards it by at most (0.05, 0.025, 3.75) per action, as ``WalkVelocity.towards`` does. The part to the left must be 0: training leaves it out, because the robot fell instead of learning it.
+   towards it by at most (0.05, 0.025, 3.75) per action, as ``WalkVelocity.towards`` does.
 2. Advance the gait clock, which has a phase n and an amplitude A, both 0 at first::
 
        if A > 0:  n = (n + 1) modulo actions-per-stride,  else  n = 0
-       A = min(1, A + 1/18) while the command is not 0, else max(0, A - 1/18)    (18 = actions-per-stride)
+       A = min(1, A + 1/10) while the command is not 0, else max(0, A - 1/10)    (10 = actions-per-stride)
 
-   Its sine and cosine are A · sin(2π n / 18) and A · cos(2π n / 18). The left foot swings while the sine is positive.
+   Its sine and cosine are A · sin(2π n / 10) and A · cos(2π n / 10). The left foot swings while the sine is positive.
 3. The 46 inputs, each the quantity divided by the number in its unit; the first layer clips them to ±5:
 
    ===== ==================================================================== ===============
@@ -46,11 +46,12 @@ How a policy is played, which :mod:`robonewbie.t1.player` does in 40 lines:
    ===== ==================================================================== ===============
 
 4. The targets of ``lle1`` … ``lle6`` and ``rle1`` … ``rle6`` are the stance, plus the rhythm, plus the 12 outputs, each from -1 to 1, times the degrees
-   of the ``output`` lines. The rhythm lets the robot step, and without a policy fall within seconds. With L = ``lift-degrees`` · max(0, side · sine) and
-   S = -side · cosine, where side is 1 for the left leg and -1 for the right one, and with F, Y, T = the shares of the largest forward, left and turn
-   command (0.6 m/s, 0.3 m/s, 45 degrees/s) times ``swing-degrees-forward-left-turn``, it is for the six joints of each leg::
+   of the ``output`` lines. The rhythm lets the robot step in place. With L = ``lift-degrees`` · max(0, side · sine) and
+   S = -side · cosine, where side is 1 for the left leg and -1 for the right one, with F, Y, T = the shares of the largest forward, left and turn
+   command (0.6 m/s, 0.3 m/s, 45 degrees/s) times ``swing-degrees-forward-left-turn``, and with W = a · sine + b · cosine, where a, b and c are the
+   numbers ``sway-degrees-sine-cosine-foot``, it is for the six joints of each leg::
 
-       -L - F S,   Y S,   T S,   2 L,   0.7 F S - L,   -Y S
+       -L - F S,   Y S + W,   T S,   2 L,   0.7 F S - L,   -Y S - c W
 
 A walk begins from the stance: raise the robot from any posture by moving the targets from the measured angles to the stance within 0.8 s, and
 wait 0.7 s more. Motors' delays of 0 to 2 cycles are varied in training.

@@ -108,8 +108,7 @@ def _random_command(random):
     if random.uniform() < 0.25:
         return np.zeros(3)
     drawn = random.uniform([-robot.MAX_BACKWARD, *-robot.MAX_COMMAND[1:]], robot.MAX_COMMAND)
-    # Policies are not yet trained to walk sideways.
-    return robot.limited(drawn * (random.uniform(size=3) < 0.6) * [1, 0, 1])
+    return robot.limited(drawn * (random.uniform(size=3) < 0.6))
 
 
 def _summary(track, fallen_after):

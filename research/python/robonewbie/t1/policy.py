@@ -24,6 +24,7 @@ def policy_text(model, about):
         numbers("cycles-per-action", [robot.CYCLES_PER_ACTION]),
         numbers("actions-per-stride", [robot.GAIT_ACTIONS]),
         numbers("lift-degrees", [robot.LIFT_DEGREES]),
+        numbers("sway-degrees-sine-cosine-foot", [*robot.SWAY_DEGREES, robot.FOOT_SHARE]),
         numbers("swing-degrees-forward-left-turn", robot.SWING_DEGREES),
         numbers("most-forward-left-turn-backward", [*robot.MAX_COMMAND, robot.MAX_BACKWARD]),
         numbers("stance-degrees", robot.STANCE_DEGREES),

@@ -33,13 +33,17 @@ STANCE_DEGREES = np.array([0, 0, 0, -80, 0, -23, 0, 80, 0, 23, 0, *_LEG_STANCE, 
 STIFFNESS = np.array([40] * 10 + [200] * 13, float)
 DAMPING = np.array([1.5] * 10 + [5] + [5, 5, 5, 5, 2, 2] * 2)
 # An action of 1 moves the target this far from the stance.
-RANGE_DEGREES = np.array([25, 12, 10, 30, 25, 12] * 2, float)
+RANGE_DEGREES = np.array([20, 12, 10, 22, 20, 12] * 2, float)
 
-# Without a policy, legs swing in a rhythm. The swinging leg is bent by this much at the hip and the foot, and twice as much at the knee.
-LIFT_DEGREES = 8
+# Without a policy, the robot steps in place in a rhythm. The swinging leg is bent by this much at the hip and the foot, and twice as much
+# at the knee.
+LIFT_DEGREES = 14
+# How far both hips roll to the left with the sine and with the cosine of the gait clock, and the share of it by which the feet roll back.
+SWAY_DEGREES = np.array([1.2, -1.6])
+FOOT_SHARE = 0.6
 # How far the legs swing around the stance at the largest command: forward (hip pitch), left (hip roll) and in turns (hip yaw).
-SWING_DEGREES = np.array([9, 4, 12])
-GAIT_ACTIONS = 18  # actions per stride, which is two steps: 2.8 steps per second
+SWING_DEGREES = np.array([3, 3, 6])
+GAIT_ACTIONS = 10  # actions per stride, which is two steps: 2.5 strides per second
 MAX_COMMAND = np.array([0.6, 0.3, 45])  # forward and left in m/s, turn to the left in degrees/s
 MAX_BACKWARD = 0.2
 MAX_CHANGE = MAX_COMMAND / 12  # of the command, per action
@@ -108,10 +112,12 @@ def target_degrees(action, clock, command):
     """
     targets = np.tile(STANCE_DEGREES, (len(action), 1))
     ahead, left, turn = (command / MAX_COMMAND * SWING_DEGREES).T
+    sway = clock @ SWAY_DEGREES
     for first, side in ((FIRST_LEG_MOTOR, 1), (FIRST_LEG_MOTOR + 6, -1)):
         lift = LIFT_DEGREES * np.maximum(0, side * clock[:, 0])
         swing = -side * clock[:, 1]  # -1 at the end of the stance, 1 at the end of the swing
-        rhythm = [-lift - ahead * swing, left * swing, turn * swing, 2 * lift, 0.7 * ahead * swing - lift, -left * swing]
+        hip_roll, foot_roll = left * swing + sway, -left * swing - FOOT_SHARE * sway
+        rhythm = [-lift - ahead * swing, hip_roll, turn * swing, 2 * lift, 0.7 * ahead * swing - lift, foot_roll]
         targets[:, first : first + 6] += np.column_stack(rhythm)
     targets[:, FIRST_LEG_MOTOR:] += np.clip(action, -1, 1) * RANGE_DEGREES
     return targets

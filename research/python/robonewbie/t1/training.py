@@ -15,7 +15,7 @@ from .environment import WalkingRobots
 from .policy import policy_text
 
 SEEDS_APART = 10_000_000
-EASY_ACTIONS = 1_000_000  # until all that varies does so fully
+EASY_ACTIONS = 1_500_000  # until all that varies does so fully
 
 
 class Training:
@@ -31,7 +31,7 @@ class Training:
         torch.set_num_threads(1)
         self.out, self.total, self.learning_rate, self._seed, self._robots = out, total, learning_rate, seed, robots
         self._variation = variation
-        model = PPO.load(self._beside(".zip"), device="cpu", target_kl=0.015) if resume else None
+        model = PPO.load(self._beside(".zip"), device="cpu") if resume else None
         # The seed alone would repeat the first episodes.
         self._world = WalkingRobots(robots, SEEDS_APART * seed + (model.num_timesteps if resume else 0), variation)
         if resume:
@@ -79,10 +79,8 @@ def settings(seed):
     """Returns the parameters of PPO, which are the defaults of Stable-Baselines3 where none are given."""
     actor = list(range(environment.INPUTS))
     return {
-        "n_steps": 32,
+        "n_steps": 64,
         "batch_size": 512,
-        "n_epochs": 8,
-        "target_kl": 0.015,  # with less noise than usual, larger changes of the policy undo what was learned
         "seed": seed,
         "device": "cpu",
         "policy_kwargs": {
@@ -90,7 +88,7 @@ def settings(seed):
             "mirrors": (mirror.mirror_of_inputs(), mirror.mirror_of_action()),
             "critic": list(range(environment.INPUTS + environment.PRIVILEGED)),
             "net_arch": {"pi": [48, 48], "vf": [128, 64]},
-            "log_std_init": -1.8,
+            "log_std_init": -1.4,
         },
     }
 

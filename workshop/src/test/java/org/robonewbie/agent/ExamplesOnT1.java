@@ -46,8 +46,6 @@ public final class ExamplesOnT1 {
     private static Map<String, String> restrictions() {
         Map<String, String> restrictions = new LinkedHashMap<>();
         restrictions.put("commands and motions for its legs are ignored", "its motions of the legs");
-        restrictions.put("cannot walk sideways", "walking sideways");
-        restrictions.put("cannot walk backwards", "walking backwards");
         restrictions.put("has no force sensors in its feet", "the force on its feet, which is 0");
         restrictions.put("can say at most 10 characters", "what it says, which is too long");
         return restrictions;

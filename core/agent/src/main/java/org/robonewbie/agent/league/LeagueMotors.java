@@ -197,13 +197,7 @@ final class LeagueMotors implements Locomotion, OwnJoints {
         if (walk.isEmpty() && !velocity.isZero()) {
             diagnostics.reportAt("", "league walk", () -> "The " + model.name() + " cannot walk yet; it only stands.");
         }
-        if (velocity.left() != 0) {
-            diagnostics.reportAt(
-                    "",
-                    "league walk left",
-                    () -> "The " + model.name() + " cannot walk sideways yet: turn it and walk ahead.");
-        }
-        wanted = new WalkVelocity(velocity.forward(), 0, velocity.turn());
+        wanted = velocity;
     }
 
     @Override

@@ -17,8 +17,8 @@ import org.robonewbie.robot.RobotJoint;
 import org.robonewbie.robot.RobotModel;
 
 /**
- * Walk of a league robot: velocity and sensor readings in, joint targets out. The legs step in a fixed rhythm, which alone would make the
- * robot fall, and a learned policy corrects it.
+ * Walk of a league robot: velocity and sensor readings in, joint targets out. The legs step in a fixed rhythm, and a learned policy
+ * corrects it.
  *
  * <p>The policy is learned by {@code python -m robonewbie.t1 train}. Its file contains what the training assumed: stance, gains, rhythm
  * and units; the documentation of the Python package {@code robonewbie.t1} describes the rest, and this class must compute the same.
@@ -43,6 +43,7 @@ public final class LearnedWalk {
     private final double[] damping;
     private final double[] rangeDegrees;
     private final double liftDegrees;
+    private final double[] swayDegrees;
     private final double[] swingDegrees;
     private final int actionsPerStride;
     private final WalkVelocity most;
@@ -87,6 +88,7 @@ public final class LearnedWalk {
         this.most = new WalkVelocity(limits[0], limits[1], limits[2]);
         this.mostBackward = limits[3];
         this.liftDegrees = policy.numbers("lift-degrees", 1)[0];
+        this.swayDegrees = policy.numbers("sway-degrees-sine-cosine-foot", 3);
         this.swingDegrees = policy.numbers("swing-degrees-forward-left-turn", 3);
         this.actionsPerStride = (int) policy.numbers("actions-per-stride", 1)[0];
         this.legs = policy.outputs().stream().map(this::jointOf).toList();
@@ -188,13 +190,14 @@ public final class LearnedWalk {
         double forward = swing * swingDegrees[0] * command.forward() / most.forward();
         double left = swing * swingDegrees[1] * command.left() / most.left();
         double turn = swing * swingDegrees[2] * command.turn() / most.turn();
+        double sway = sine() * swayDegrees[0] + cosine() * swayDegrees[1];
         return switch (leg % JOINTS_PER_LEG) {
             case 0 -> -lift - forward; // hip pitch
-            case 1 -> left; // hip roll
+            case 1 -> left + sway; // hip roll
             case 2 -> turn; // hip yaw
             case 3 -> 2 * lift; // knee
             case 4 -> 0.7 * forward - lift; // foot pitch
-            default -> -left; // foot roll
+            default -> -left - swayDegrees[2] * sway; // foot roll
         };
     }
 

@@ -3,7 +3,7 @@ package org.robonewbie.team.world;
 /**
  * What differs between robots for a player.
  *
- * @param movesLegs whether the player moves the legs: by motions, such as kicks and get-ups, and by steps to the side and back
+ * @param movesLegs whether the player moves the legs: by motions, such as kicks and get-ups, and by small steps beside the ball
  * @param playersWithKeeper number of players from which a team has a keeper
  * @param robotMetres distance to keep from other robots
  * @param behindBallMetres distance behind the ball at which the robot begins to push it
@@ -23,7 +23,7 @@ public record Abilities(
     /** The NAO, in teams of up to eleven. */
     public static final Abilities NAO = new Abilities(true, 8, 0.5, 0.25, 0.35, 0.12, 24);
 
-    /** The robots of RCSSServerMJ, in teams of up to seven. They walk by themselves, ahead and turning, and push the ball. */
+    /** The robots of RCSSServerMJ, in teams of up to seven. They walk by themselves and push the ball. */
     public static final Abilities LEAGUE = new Abilities(false, 5, 0.8, 0.6, 0.8, 0.3, 62);
 
     /**
