@@ -11,7 +11,7 @@ def _arguments(words):
     parser = argparse.ArgumentParser(prog="python -m robonewbie.t1", description="A Booster T1 learns to walk by velocity command.")
     commands = parser.add_subparsers(dest="task", required=True)
     train = commands.add_parser("train", help="train a policy by PPO in MuJoCo")
-    train.add_argument("--total-timesteps", type=int, default=8_000_000, help="total number of actions of all robots (default: 8000000)")
+    train.add_argument("--total-timesteps", type=int, default=4_500_000, help="total number of actions of all robots (default: 4500000)")
     train.add_argument("--n-envs", type=int, default=128, help="number of parallel robots (default: 128)")
     train.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (default: 1)")
     train.add_argument("--out", type=Path, default=Path("t1-walk.policy"), help="file of the policy (default: t1-walk.policy)")

@@ -100,7 +100,8 @@ class WalkingRobots(VecEnv):
         self._last_targets = np.tile(np.radians(robot.STANCE_DEGREES), (count, 1))
         self.command = np.zeros((count, 3))  # on the way to the wanted one
         self.wanted = np.zeros((count, 3))
-        self.mean_velocity = np.zeros((count, 3))  # forward, left, turn, smoothed
+        self.moved = np.zeros((count, 3))  # velocity during the last action: forward, left, turn
+        self.mean_velocity = np.zeros((count, 3))  # the same, smoothed
         self.delay = np.zeros(count, int)
         self.friction = np.ones(count)
         self.head = np.zeros((count, 2))
@@ -164,8 +165,9 @@ class WalkingRobots(VecEnv):
 
     def step_wait(self):
         action = self._action
+        place, heading = self.position[:, :2].copy(), self.heading()
         unstable = self._move(action)
-        self._measure_velocity()
+        self._measure_velocity(place, heading)
         reward = self._reward(action)
         self.previous = action
         self.actions += 1
@@ -267,11 +269,13 @@ class WalkingRobots(VecEnv):
         w, x, y, z = self.orientation.T
         return np.column_stack([2 * (x * z - w * y), 2 * (y * z + w * x)])
 
-    def _measure_velocity(self):
-        cosine, sine = np.cos(self.heading()), np.sin(self.heading())
-        x, y = self.velocity[:, 0], self.velocity[:, 1]
-        now = np.column_stack([cosine * x + sine * y, cosine * y - sine * x, np.degrees(self.rotation[:, 2])])
-        self.mean_velocity += 0.15 * (now - self.mean_velocity)
+    def _measure_velocity(self, place, heading):
+        # From places, because velocities at the ends of actions, which are at the same phases of each stride, are not those in between.
+        x, y = (self.position[:, :2] - place).T
+        turn = (self.heading() - heading + np.pi) % (2 * np.pi) - np.pi
+        cosine, sine = np.cos(heading), np.sin(heading)
+        self.moved = np.column_stack([cosine * x + sine * y, cosine * y - sine * x, np.degrees(turn)]) / robot.ACTION_SECONDS
+        self.mean_velocity += 0.15 * (self.moved - self.mean_velocity)
 
     # ---- Learning
 
@@ -282,7 +286,7 @@ class WalkingRobots(VecEnv):
         direction = wanted / np.maximum(size, 1e-6)[:, None]
         along = (velocity * direction).sum(axis=1)
         aside = np.linalg.norm(velocity - along[:, None] * direction, axis=1)
-        paid = np.clip(along, -0.5, size) - 0.5 * np.maximum(0, along - size)
+        paid = np.clip(along, -0.5, size) - np.maximum(0, along - size)
         reward = 0.5 + 3 * paid / np.maximum(size, 0.5) - (0.1 + 0.9 * self.variation.strictness) * aside
         reward -= 3 * (self.true_up() ** 2).sum(axis=1) + 0.02 * (self.rotation[:, :2] ** 2).sum(axis=1)
         reward -= 0.02 * ((action - self.previous) ** 2).sum(axis=1) + 0.01 * (action**2).sum(axis=1)

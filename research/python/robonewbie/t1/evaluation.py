@@ -32,7 +32,7 @@ def evaluate(act, robots, seed=FIRST_SEED, command=None, variation=Variation(), 
     errors, velocities, air, tilt, steps = [], [], [], [], np.zeros(robots)
     touched = world.touch.copy()
     for action in range(round(seconds / robot.ACTION_SECONDS)):
-        before, heading, wanted = world.position.copy(), world.heading(), world.wanted.copy()
+        wanted = world.wanted.copy()
         world.step_async(act(observed))
         observed, *_ = world.step_wait()
         fallen |= world.fallen
@@ -40,10 +40,7 @@ def evaluate(act, robots, seed=FIRST_SEED, command=None, variation=Variation(), 
         touched = world.touch.copy()
         if action * robot.ACTION_SECONDS < 1:
             continue
-        dx, dy = ((world.position - before)[:, :2] / robot.ACTION_SECONDS).T
-        turn = (world.heading() - heading + np.pi) % (2 * np.pi) - np.pi
-        cosine, sine = np.cos(heading), np.sin(heading)
-        velocities.append([cosine * dx + sine * dy, cosine * dy - sine * dx, np.degrees(turn) / robot.ACTION_SECONDS])
+        velocities.append(world.moved.T)
         air.append(~world.touch.any(axis=1))
         tilt.append(np.degrees(np.arcsin(np.minimum(1, np.linalg.norm(world.true_up(), axis=1)))))
         if action % COMMAND_ACTIONS == COMMAND_ACTIONS - 1:

@@ -26,6 +26,8 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
             "an agent on its own simulator with noise and the league's pitch, in the stance, reached from a nearby"
                     + " posture; pushed every second";
 
+    private static final String STEERED = ON_LEAGUE_PITCH + "; it steers by its own sensors";
+
     private static final Pose2d FAR_END = new Pose2d(-14, 0, 0);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
     private static final double PUSH_NEWTONS = 3;
@@ -66,8 +68,12 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
      * {@link #onLeaguePitch(RobotType, WalkStyle)}.
      */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned, LineKeeping keeping) {
-        String words = ON_LEAGUE_PITCH + "; it steers by its own sensors";
-        return onLeaguePitch("", words, type, () -> new ScriptedRunner(learned, keeping));
+        return onLeaguePitch("", STEERED, type, () -> new ScriptedRunner(learned, keeping));
+    }
+
+    /** Returns the same environment with an agent that sprints. */
+    static CheckStart sprinter(RobotType type) {
+        return onLeaguePitch("", STEERED, type, ScriptedSprinter::new);
     }
 
     private static CheckStart onLeaguePitch(String place, String words, RobotType type, Supplier<ScriptedRobot> robot) {

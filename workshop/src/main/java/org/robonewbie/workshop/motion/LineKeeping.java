@@ -21,6 +21,9 @@ record LineKeeping(double degreesForAMetre, double mostDegrees, double turnForAD
     /** Parameters for a run that tolerates little turning. */
     static final LineKeeping GENTLE = new LineKeeping(20, 10, 1, 10);
 
+    /** Parameters for the learned sprint, whose command is the heading error itself. */
+    static final LineKeeping SPRINT = new LineKeeping(20, 10, 1, 30);
+
     /** Parameters for a gait that turns easily. */
     static final LineKeeping FIRM = new LineKeeping(40, 10, 2, 40);
 

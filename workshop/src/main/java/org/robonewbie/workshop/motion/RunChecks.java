@@ -12,6 +12,7 @@ import org.robonewbie.nao.model.RobotType;
 final class RunChecks {
 
     private static final double LONG_WAY = 20;
+    private static final double SPRINT = 15;
 
     private final RobotType type;
     private final Gait gait;
@@ -24,10 +25,18 @@ final class RunChecks {
     }
 
     static List<MotionCheck> all(RobotType type) {
-        return Stream.of(Gait.RUN, Gait.JOG)
+        Stream<MotionCheck> gaits = Stream.of(Gait.RUN, Gait.JOG)
                 .map(gait -> new RunChecks(type, gait))
-                .flatMap(checks -> Stream.of(checks.far(), checks.drift(), checks.stop()))
-                .toList();
+                .flatMap(checks -> Stream.of(checks.far(), checks.drift(), checks.stop()));
+        return Stream.concat(gaits, Stream.of(sprint(type))).toList();
+    }
+
+    private static MotionCheck sprint(RobotType type) {
+        String rule = "sprints 15 m without a fall";
+        return CheckStart.sprinter(type).check("learned sprint 15 m", rule, "m/s from the stance", (robot, seed) -> {
+            boolean up = robot.walk(() -> new WalkVelocity(1, 0, 0), () -> robot.forward() < SPRINT);
+            return new Outcome(up, robot.forward() / robot.seconds());
+        });
     }
 
     private CheckStart start() {

@@ -27,7 +27,7 @@ public final class PolicyFile {
     /**
      * Loads a policy that is shipped with the framework.
      *
-     * @param name {@code walk}, {@code jog}, {@code run}, {@code kick-to}, {@code stand}, {@code get-up} or {@code duel}
+     * @param name {@code walk}, {@code jog}, {@code run}, {@code kick-to}, {@code stand}, {@code get-up}, {@code sprint} or {@code duel}
      * @return the policy
      * @throws IllegalArgumentException if there is no such policy
      */
