@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -108,10 +109,16 @@ final class Replay {
         match.setPlayMode(PlayMode.ofSimSparkName(run.rows().get(0).playMode()).orElse(PlayMode.PLAY_ON));
         ball.moveTo(start.position());
         ball.setVelocity(start.velocity());
+        int cycle = 0;
         for (RecordedRow row : run.rows()) {
-            world.step();
+            // The monitor may have missed the first cycles.
+            for (; cycle < Math.round(row.seconds() / Cycle.SECONDS); cycle++) {
+                if (cycle > 0) {
+                    match.tick();
+                }
+                world.step();
+            }
             comparison.compare(row, ball.position());
-            match.tick();
         }
     }
 
