@@ -79,15 +79,22 @@ final class ReferenceReader {
         return fileName.substring(0, fileName.lastIndexOf(ENDING));
     }
 
-    /** Ends the current run. Drops the rows before the first one that contains a torso or ball position. */
+    /**
+     * Ends the current run. Drops the rows of a robot before the first one that contains a position; a ball's start is in the name of its
+     * case, so its rows stay.
+     */
     private void endRun() {
-        List<RecordedRow> placed = rows.stream()
-                .dropWhile(row -> row.torso().isEmpty() && row.ball().isEmpty())
-                .toList();
-        if (!placed.isEmpty()) {
-            runs.add(new RecordedRun(run, placed));
+        if (rows.stream().anyMatch(ReferenceReader::isPlaced)) {
+            List<RecordedRow> replayed = rows.stream()
+                    .dropWhile(row -> !isPlaced(row) && !row.jointDegrees().isEmpty())
+                    .toList();
+            runs.add(new RecordedRun(run, replayed));
         }
         rows = new ArrayList<>();
+    }
+
+    private static boolean isPlaced(RecordedRow row) {
+        return row.torso().isPresent() || row.ball().isPresent();
     }
 
     private void add(String runName, RecordedRow row) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -69,7 +68,7 @@ final class Replay {
             comparison.startRun(first);
             if (first.torso().isPresent()) {
                 replayRobot(run, first.torso().get());
-            } else if (first.ball().isPresent()) {
+            } else if (run.rows().stream().anyMatch(row -> row.ball().isPresent())) {
                 replayBall(run);
             } else {
                 throw new IOException("The recording " + recording.name()
@@ -109,16 +108,10 @@ final class Replay {
         match.setPlayMode(PlayMode.ofSimSparkName(run.rows().get(0).playMode()).orElse(PlayMode.PLAY_ON));
         ball.moveTo(start.position());
         ball.setVelocity(start.velocity());
-        int cycle = 0;
         for (RecordedRow row : run.rows()) {
-            // The monitor may have missed the first cycles.
-            for (; cycle < Math.round(row.seconds() / Cycle.SECONDS); cycle++) {
-                if (cycle > 0) {
-                    match.tick();
-                }
-                world.step();
-            }
+            world.step();
             comparison.compare(row, ball.position());
+            match.tick();
         }
     }
 

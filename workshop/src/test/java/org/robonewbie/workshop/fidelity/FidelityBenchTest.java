@@ -46,6 +46,18 @@ class FidelityBenchTest {
         });
     }
 
+    /** The monitor of a recorder may miss the full scene of any cycle, also of the first one. */
+    @Test
+    void replaysABallWithoutItsFirstPosition() throws IOException {
+        Files.writeString(directory.resolve("ball.jsonl"), BALL.replaceFirst("\"ball\": *\\[[^]]*], *", ""));
+
+        RecordingFidelity result =
+                FidelityBench.run(directory, AgentRoute.NONE).recordings().get(0);
+
+        assertThat(result.ballMaxMetres().orElseThrow()).isLessThan(1e-6);
+        assertThat(result.firstDivergenceSeconds()).isEmpty();
+    }
+
     @Test
     void compressedFilesGiveTheSameAsPlainOnes() throws IOException {
         Files.write(directory.resolve(FALL), shipped(FALL));
